@@ -51,7 +51,7 @@ std::vector<std::string> overrides(const FosCommand& c, const std::string& stren
   return set;
 }
 
-/// A search that is set up: the case has been read with the options of its runs.
+/// A search with its case, read with the options of the runs.
 struct Question {
   FosRecord record;
   FosTitle title;
@@ -107,7 +107,7 @@ Question question(const FosCommand& c, const std::string& strength) {
   return q;
 }
 
-/// Carries out one search and writes its answer, with the integrator that was used in the title.
+/// Carries out one search and writes its result; the title names the integrator that was used.
 FosAnswer answer(Question& q, const fs::path& path, const FosCommand& c, Signals& signals) {
   const FosFolder folder = FosFolder::open(path, q.record);
   const io::FolderLock lock(path);
@@ -140,7 +140,7 @@ int fos(const FosCommand& c) {
   Question main = question(c, both ? "peak" : c.strength);
   Signals signals(!c.quiet && c.json != "-");
   const auto interrupted = [&] {
-    complain("interrupted; the same command goes on:\n  {}\n", shell_words(c.words));
+    complain("interrupted; the same command continues the search:\n  {}\n", shell_words(c.words));
     return kInterrupted;
   };
   const FosAnswer first = answer(main, path, c, signals);
@@ -157,7 +157,7 @@ int fos(const FosCommand& c) {
       say("{}", fos_text(other.title, second));
       cpu += second.cpu;
     } else {
-      say("as-is strength: the same, no law that is reduced loses strength\n");
+      say("as-is strength: the same result, since no joint law that is reduced loses strength\n");
     }
   }
   if (!c.quiet && c.json != "-")

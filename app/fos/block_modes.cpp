@@ -11,12 +11,12 @@
 namespace scree::app {
 namespace {
 
-constexpr double kMoves = 0.1;                   // of the largest displacement
-constexpr double kTopples = 0.6, kSlides = 0.2;  // displacement by rotation over that of the centroid
-constexpr double kSlips = 0.05;                  // slip at contacts over the displacement
-constexpr double kFreeFall = 0.75;               // of g
+constexpr double kMoves = 0.1;                   // least displacement of a moving block over the largest of all blocks
+constexpr double kTopples = 0.6, kSlides = 0.2;  // bounds on the displacement by rotation over that of the centroid
+constexpr double kSlips = 0.05;                  // bound on the slip at contacts over the displacement of the centroid
+constexpr double kFreeFall = 0.75;               // least downward acceleration of a falling block over g
 
-/// Points of each block, each once.
+/// Indices of the points of each block, sorted and without duplicates.
 std::vector<std::vector<std::size_t>> points_of(const io::StoredFrame& frame, std::size_t blocks) {
   std::vector<std::vector<std::size_t>> out(blocks);
   for (std::size_t c = 0; c < frame.cells(); ++c)
@@ -38,7 +38,7 @@ Vec2 mean(const std::vector<double>& xy, const std::vector<std::size_t>& points)
   return sum / static_cast<double>(points.size());
 }
 
-/// The rotation that fits the motion of some points best.
+/// Rotation of the rigid motion that fits the displacements of the given points best, by least squares [rad].
 double rotation(const std::vector<double>& before, const std::vector<double>& after,
                 const std::vector<std::size_t>& points) {
   const Vec2 from = mean(before, points), to = mean(after, points);
@@ -51,7 +51,7 @@ double rotation(const std::vector<double>& before, const std::vector<double>& af
   return std::atan2(cross, dot);
 }
 
-/// Slip and opening of every pair of blocks, and the blocks that touch.
+/// Largest slip and opening at the contacts of every pair of blocks, and the blocks that have a closed contact.
 struct Joints {
   std::map<std::pair<std::int32_t, std::int32_t>, double> slip, gap;
   std::map<std::int32_t, bool> closed;
@@ -92,7 +92,7 @@ std::string_view name(Mode mode) {
 std::vector<BlockMotion> block_motions(const io::RunReader& run, std::size_t from, std::size_t to) {
   const io::StoredFrame before = run.frame(from), after = run.frame(to);
   if (before.position.size() != after.position.size())
-    throw io::FileError("run.vtkhdf", "the frames of a stage have different meshes");
+    throw io::FileError("run.vtkhdf", "two frames that are to be compared have different meshes");
   const std::vector<io::StoredBlock>& blocks = run.blocks();
   const auto points = points_of(after, blocks.size());
   Joints first, last;

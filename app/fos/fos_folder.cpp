@@ -27,7 +27,7 @@ std::set<std::string> digests(const Json& record) {
   return out;
 }
 
-/// What differs between two records, as the end of a sentence; empty where nothing does.
+/// The first difference between two records, as a clause for an error message; empty if they are equal.
 std::string difference(const Json& there, const Json& wanted) {
   static const std::vector<std::pair<std::string, std::string>> kWords{
       {"format", "it is of another version of Scree"}, {"case_sha256", "its case file had another text"},

@@ -1,4 +1,4 @@
-// The folder of `scree fos`: its file names, and the record of its question.
+// The folder of `scree fos`: the names of its files, and the record of the inputs of its search.
 #pragma once
 
 #include <filesystem>
@@ -8,25 +8,26 @@
 
 namespace scree::app {
 
-/// The question of a search: fos.json. Two folders with equal records have the same answer.
+/// The inputs of a search, stored in fos.json. Searches with equal records have the same result.
 struct FosRecord {
-  std::string case_file;                     // absolute; for people, not compared
-  std::string case_sha256;                   // of its text
-  std::map<std::string, std::string> files;  // named in the case, with their SHA-256; paths are not compared
+  std::string case_file;                     // absolute path; information only, not compared
+  std::string case_sha256;                   // of the text of the case file
+  std::map<std::string, std::string> files;  // SHA-256 of the files named in the case, by path; paths are not compared
   std::vector<std::string> set, load;        // --set, including other options expressed as --set; --load
   std::string what = "all";                  // strengths that are divided: all, friction or cohesion
   double tolerance = 0.01, least = 0.1, most = 10.0;
   [[nodiscard]] std::string text() const;
 };
 
-/// Names inside the folder.
-///   fos.json     the question            rest, rest-0.1   runs to rest        F-1.25, ...   runs at a factor
-///   k-0.05, ...  runs with k_h           logs/            what they printed   fos.csv, result.json   the answer
-///   fos.svg      displacement over F     stable.png, failed.png               the two ends of the bracket
+/// The folder of a search. It contains:
+///   fos.json      inputs of the search       rest, rest-0.1           runs to rest
+///   F-1.25, ...   runs at a factor           k-0.05, ...              runs to rest with k_h
+///   logs/         output of the runs         fos.csv, result.json     result of the search
+///   fos.svg       displacement over F        stable.png, failed.png   runs at the two ends of the bracket
 class FosFolder {
  public:
-  /// Makes the folder and fos.json, or continues a search with the same record.
-  /// @throws FileError where the folder holds something else, or another question; the message names the difference
+  /// Makes the folder and fos.json, or opens the folder of a search with the same record.
+  /// @throws FileError if the folder has other files, or belongs to another search; the message names the difference
   [[nodiscard]] static FosFolder open(const std::filesystem::path& path, const FosRecord& record);
 
   [[nodiscard]] const std::filesystem::path& path() const { return path_; }
@@ -39,7 +40,7 @@ class FosFolder {
   std::filesystem::path path_;
 };
 
-/// "F-1.25".
+/// Name of the run at a factor, such as "F-1.25".
 [[nodiscard]] std::string trial_name(double factor);
 
 }  // namespace scree::app

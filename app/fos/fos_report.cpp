@@ -19,13 +19,13 @@ using Status = FosAnswer::Status;
 
 constexpr double kDegree = std::numbers::pi / 180.0;
 
-/// "phi 31.2 deg, c 12 kPa" of a law with its strengths divided by a factor.
+/// Strengths of a law divided by a factor, such as "phi 31.2 deg, c 12000 Pa".
 std::string strengths(const JointLaw& law, const std::string& what, double factor) {
   const double f = what == "cohesion" ? 1.0 : factor, c = what == "friction" ? 1.0 : factor;
   return fmt::format("phi {:.4g} deg, c {:.6g} Pa", std::atan(std::tan(law.friction) / f) / kDegree, law.cohesion / c);
 }
 
-/// "topples (9 of 16 blocks move: 7 topple, 2 slide)".
+/// Mode of failure and number of blocks of each mode: "topples (9 of 16 blocks move; topples: 7, slides: 2)".
 std::string told_mode(const TrialResult& run) {
   std::size_t moving = 0;
   std::map<Mode, int> count;
@@ -35,47 +35,52 @@ std::string told_mode(const TrialResult& run) {
       ++count[m.mode];
     }
   std::string each;
-  for (const auto& [mode, n] : count) each += fmt::format("{}{} {}", each.empty() ? "" : ", ", n, name(mode));
-  return fmt::format("{} ({} of {} blocks move: {})", name(run.mode()), moving, run.motions.size(), each);
+  for (const auto& [mode, n] : count) each += fmt::format("{0}{2}: {1}", each.empty() ? "" : ", ", n, name(mode));
+  return fmt::format("{} ({} of {} blocks move; {})", name(run.mode()), moving, run.motions.size(), each);
 }
 
 std::string headline(const FosTitle& t, const FosAnswer& a) {
   switch (a.status) {
     case Status::found:
-      return fmt::format("factor of safety {:.4g}: stands at {:.6g}, fails at {:.6g}\n", a.factor(), a.stands, a.fails);
+      return fmt::format("factor of safety {:.4g}: the slope stands at F = {:.6g} and fails at F = {:.6g}\n",
+                         a.factor(), a.stands, a.fails);
     case Status::undecided: {
       double needed = 0.0;
       for (const auto& [factor, run] : a.runs)
         if (run.verdict == Verdict::undecided && factor > a.stands && factor < a.fails)
           needed = std::max(needed, run.needed);
-      return fmt::format("undecided: stands at {:.6g}, {}; between them blocks creep{}\n", a.stands,
-                         std::isinf(a.fails) ? "nothing failed" : fmt::format("fails at {:.6g}", a.fails),
-                         needed > 0.0 ? fmt::format(": --time {:.3g} would decide", 1.2 * needed) : "");
+      return fmt::format("undecided: the slope stands at F = {:.6g}{}{}\n", a.stands,
+                         std::isinf(a.fails)
+                             ? "; no run failed, and runs at larger factors have no verdict"
+                             : fmt::format(" and fails at F = {:.6g}; runs between these have no verdict", a.fails),
+                         needed > 0.0 ? fmt::format("; --time {:.3g} is estimated to suffice", 1.2 * needed) : "");
     }
     case Status::fails_at_least: {
-      std::string out =
-          fmt::format("no bracket: it fails at F = {:g}, so strength does not govern\n  {}\n", t.least, a.why);
+      std::string out = fmt::format(
+          "no bracket: the slope fails even at the smallest factor, F = {:g}; strength does not govern\n  {}\n",
+          t.least, a.why);
       if (a.k_h)
-        out += fmt::format("  load factor on k_h: it stands with {:.4g} g along x, fails with {:.4g} g\n", *a.k_h,
-                           *a.k_h_fails);
+        out += fmt::format("  load factor on k_h: the slope stands with {:.4g} g along x and fails with {:.4g} g\n",
+                           *a.k_h, *a.k_h_fails);
       else
-        out += "  no horizontal acceleration up to 1.6 g holds it either\n";
+        out += "  the slope also fails with every horizontal acceleration that was tried, up to 1.6 g\n";
       return out;
     }
     case Status::stable_at_most:
-      return fmt::format("stable at the largest factor: F > {:g}\n", a.stands);
+      return fmt::format("stable at the largest factor: the factor of safety is above {:g}\n", a.stands);
     case Status::interrupted:
       return "interrupted\n";
   }
   return {};
 }
 
-/// Strengths at which the slope just stands.
+/// Back-analysis: the strengths with which the slope is just stable.
 std::string back_analysis(const FosTitle& t, const FosAnswer& a) {
   if (t.what == "all" || a.status != Status::found) return {};
-  std::string out = fmt::format("it just stands, {} alone changed, with\n", t.what == "friction" ? "phi" : "c");
+  std::string out = fmt::format("back-analysis: with {} alone changed, the slope is just stable with\n",
+                                t.what == "friction" ? "phi" : "c");
   for (const JointLaw& law : t.laws)
-    out += fmt::format("  {:<16} {}   ({} stand, {} fail)\n", law.name, strengths(law, t.what, a.factor()),
+    out += fmt::format("  {:<16} {}   (stable with {}; fails with {})\n", law.name, strengths(law, t.what, a.factor()),
                        strengths(law, t.what, a.stands), strengths(law, t.what, a.fails));
   return out;
 }
@@ -122,23 +127,26 @@ std::string fos_text(const FosTitle& t, const FosAnswer& a) {
                   t.integrator, t.k_h != 0.0 ? fmt::format(", k_h = {:g}", t.k_h) : "");
   out += headline(t, a);
   if (const TrialResult* failure = a.failure()) {
-    out += "  it " + told_mode(*failure) + "\n";
+    out += "  mode of failure: " + told_mode(*failure) + "\n";
     if (a.status == Status::found && failure->verdict == Verdict::failed && a.fails > 0.0) {
       const double excess = 1.0 - a.stands / a.fails, scale = failure->acceleration / (9.81 * excess);
       out += fmt::format(
-          "  at F = {:.6g} block '{}' accelerates at {:.3g} m/s2, {:.2g} (1 - F_s) g for the whole bracket\n", a.fails,
-          failure->fastest, failure->acceleration, scale);
+          "  at F = {:.6g} the fastest block, '{}', accelerates at {:.3g} m/s2; this is {:.2g} (1 - F_s) g, with F_s "
+          "the lower end of the bracket over the upper one\n",
+          a.fails, failure->fastest, failure->acceleration, scale);
     }
   }
   if (a.explicit_rest)
-    out += "  implicit steps found no rest, though no block went the limit: the run to rest is in explicit steps\n";
+    out +=
+        "  the run to rest used explicit steps: implicit steps found no balance, although no block moved as far as the "
+        "displacement limit\n";
   if (a.inconsistent)
-    out += "  warning: a run stood at a larger factor than one that failed; the lowest bracket is told\n";
+    out += "  warning: a run stood at a larger factor than one that failed; the lowest bracket is reported\n";
   out += back_analysis(t, a);
   if (!a.rock_at_rest.empty()) out += "  at rest, " + io::rock_use_text(a.rock_at_rest) + "\n";
   if (!a.rock_at_limit.empty())
     out += fmt::format("  at F = {:.6g}, {}\n", a.stands, io::rock_use_text(a.rock_at_limit));
-  out += fmt::format("  {:>10}  {:<9} {:>12} {:>12} {:>8}  {}\n", "F", "verdict", "moved [m]", "a [m/s2]", "in [s]",
+  out += fmt::format("  {:>10}  {:<9} {:>12} {:>12} {:>8}  {}\n", "F", "verdict", "displ. [m]", "a [m/s2]", "time [s]",
                      "mode");
   for (const auto& [factor, r] : a.runs)
     out += fmt::format("  {:>10.6g}  {:<9} {:>12.4g} {:>12.4g} {:>8.3g}  {}\n", factor, name(r.verdict), r.displacement,
@@ -196,7 +204,7 @@ std::string fos_csv(const FosAnswer& a) {
 
 void draw_fos(const FosFolder& folder, const FosTitle& t, const FosAnswer& a) {
   io::LinePlot plot;
-  plot.title = t.title.empty() ? "Displacement over the factor" : t.title;
+  plot.title = t.title.empty() ? "Largest displacement at each factor" : t.title;
   plot.x_label = "F [1]";
   plot.y_label = "displacement [m]";
   plot.log_y = true;

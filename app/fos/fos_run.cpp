@@ -12,7 +12,7 @@
 namespace scree::app {
 namespace {
 
-constexpr double kFirstTilt = 0.05, kLastTilt = 1.6, kTiltWidth = 0.01;  // of k_h
+constexpr double kFirstTilt = 0.05, kLastTilt = 1.6, kTiltWidth = 0.01;  // |k_h|: first, largest, width of bracket
 
 class Search {
  public:
@@ -31,7 +31,7 @@ class Search {
     for (const double start : {1.0, record_->least}) {
       std::optional<bool> rests = rest(start);
       if (rests && !*rests && unsettled(start)) {
-        note("no block has gone the limit: explicit steps are tried");
+        note("no block moved as far as the displacement limit: the run to rest is repeated with explicit steps");
         answer_.explicit_rest = true;
         rests = rest(start);
         answer_.explicit_rest = rests.value_or(false);
@@ -49,7 +49,8 @@ class Search {
   }
 
  private:
-  /// Makes the run to rest at a factor.   @return whether it is at rest; empty where it was stopped
+  /// Makes the run to rest with the strengths divided by `start`.
+  /// @return true if it came to rest; empty if the search was interrupted
   [[nodiscard]] std::optional<bool> rest(double start) {
     const WantedRun run = rest_run(start);
     if (!make({run})) return std::nullopt;
@@ -58,12 +59,12 @@ class Search {
     answer_.start = start;
     const bool done = outcome.state == RunOutcome::State::done;
     if (!done) answer_.why = outcome.reason;
-    note(fmt::format("{}at rest with its strengths divided by {:g}{}", done ? "" : "not ", start,
+    note(fmt::format("{}at rest with the strengths divided by {:g}{}", done ? "" : "not ", start,
                      done ? "" : ": " + outcome.reason));
     return done;
   }
-  /// True where implicit steps to rest ended without balance, although no block moved as far as the limit: joints whose
-  /// cohesion appears and vanishes with their contacts have no balance that a static step could find.
+  /// True if implicit steps to rest ended without balance although no block moved as far as the limit. This happens
+  /// with joints whose cohesion appears and vanishes with their contacts: static steps find no balance for them.
   [[nodiscard]] bool unsettled(double start) const {
     return implicit_rest_ &&
            failure_to_rest(folder_->run(rest_run(start).name), limit_, gravity_).displacement < limit_;
@@ -87,7 +88,7 @@ class Search {
     run.set.push_back(fmt::format("reduction.factor={:.9g}", factor));
     return run;
   }
-  /// @return false where it was stopped
+  /// Makes the given runs.   @return false if the search was interrupted
   [[nodiscard]] bool make(const std::vector<WantedRun>& runs) const {
     return make_trials(*folder_, *record_, runs, settings_->jobs, settings_->threads, hooks_);
   }
@@ -131,15 +132,15 @@ class Search {
     return reader.times().empty() ? std::vector<io::RockUse>{} : io::rock_use(reader, reader.times().size() - 1);
   }
 
-  /// Direction along x in which the failing blocks move: +1 or -1.
+  /// Direction along x of the mean displacement of the failing slope, weighted by area: +1 or -1.
   [[nodiscard]] double direction() const {
     double sum = 0.0;
     for (const BlockMotion& m : answer_.at_least->motions) sum += m.area * m.displacement.x();
     return sum < 0.0 ? -1.0 : 1.0;
   }
 
-  /// Finds the horizontal acceleration that holds a slope which its strength does not hold.
-  /// @return false where it was stopped
+  /// Finds the horizontal acceleration with which a slope stands that fails at the least factor.
+  /// @return false if the search was interrupted
   [[nodiscard]] bool tilt() {
     const double against = -direction();
     double fails = 0.0, stands = std::numeric_limits<double>::infinity();

@@ -8,10 +8,10 @@
 namespace scree::app {
 namespace {
 
-constexpr int kGuesses = 3;                    // rounds that use a guess, before thirds of the bracket
-constexpr double kAside = 0.4;                 // of the tolerance, on either side of a guess
-constexpr double kFirst = 1.4, kSecond = 2.2;  // times the largest stable factor, while no run has failed
-constexpr double kGrid = 1e-6;                 // factors are round: they name folders
+constexpr int kGuesses = 3;                    // rounds that use an estimate; later ones divide the bracket into thirds
+constexpr double kAside = 0.4;                 // distance of the runs on either side of an estimate, over the tolerance
+constexpr double kFirst = 1.4, kSecond = 2.2;  // next factors over the largest stable one, while no run has failed
+constexpr double kGrid = 1e-6;                 // factors are rounded to this, since folders are named by them
 
 double rounded(double factor) { return std::round(factor / kGrid) * kGrid; }
 
@@ -30,7 +30,7 @@ std::string_view name(Verdict verdict) {
 }
 
 std::optional<double> zero_of(double factor_1, double acceleration_1, double factor_2, double acceleration_2) {
-  // a = alpha - beta/F through both; zero at beta/alpha
+  // a = alpha - beta/F through both points is zero at F = beta/alpha
   const double x1 = 1.0 / factor_1, x2 = 1.0 / factor_2;
   if (x1 == x2) return std::nullopt;
   const double beta = (acceleration_2 - acceleration_1) / (x1 - x2), alpha = acceleration_1 + beta * x1;
@@ -131,7 +131,7 @@ void FosSearch::take(const std::map<double, Trial>& results) {
   const std::optional<double> zero = guess();
   for (const double factor : wanted) {
     const auto found = results.find(factor);
-    if (found == results.end()) throw std::invalid_argument("a factor that was asked for has no result");
+    if (found == results.end()) throw std::invalid_argument("a requested factor has no result");
     trials_[factor] = found->second;
   }
   if (zero) ++rounds_;

@@ -1,4 +1,4 @@
-// Choice of the next factors in the search for a factor of safety: brackets it and narrows the bracket by runs.
+// Chooses the factors of the next runs in the search for a factor of safety: they bracket it, then narrow the bracket.
 #pragma once
 
 #include <map>
@@ -10,9 +10,9 @@ namespace scree::app {
 
 /// Result of a run at a factor.
 enum class Verdict {
-  stable,     // at rest
-  failed,     // some block accelerates and has moved far
-  undecided,  // neither within the time of the run
+  stable,     // the forces balance
+  failed,     // a block keeps accelerating (criteria: trial_verdict.h)
+  undecided,  // neither of these within the time of the run
 };
 [[nodiscard]] std::string_view name(Verdict verdict);
 
@@ -30,28 +30,29 @@ class FosSearch {
   };
   enum class State {
     searching,
-    found,      // bracket() is narrow enough
-    undecided,  // as narrow as runs without a verdict allow
+    found,      // the bracket is as narrow as the tolerance
+    undecided,  // the bracket cannot be narrowed further, since runs inside it have no verdict
     at_most     // stable at the largest factor
   };
 
   /// @param start  a factor at which the slope stands   @pre 0 < least <= start <= most, tolerance > 0
   FosSearch(const Range& range, double start);
 
-  /// Factors to run next, two at most; none once the search is over. The same results give the same factors,
-  /// independent of their order of arrival. Two failed runs give a guess: the acceleration of the moving blocks is
-  /// linear in 1/F, and zero at the factor of safety.
+  /// Factors of the next runs, two at most; none once the search is over. The factors depend on the results so far, not
+  /// on the order in which these arrived. Two failed runs give an estimate of the factor of safety: the acceleration of
+  /// the moving blocks is linear in 1/F, and is zero at the factor of safety.
   [[nodiscard]] std::vector<double> next() const;
-  /// Takes the results of all factors of next().   @throws std::invalid_argument where one is missing
+  /// Adds the results of all factors of next().   @throws std::invalid_argument if one is missing
   void take(const std::map<double, Trial>& results);
 
   [[nodiscard]] State state() const;
-  /// stands(): the largest factor at which the slope stands, below fails(): the smallest factor at which it fails;
-  /// infinite: it failed at none.
+  /// The ends of the bracket. fails() is the smallest factor at which the slope failed, infinite if it failed at none;
+  /// stands() is the largest factor below fails() at which it stands.
   [[nodiscard]] double stands() const;
   [[nodiscard]] double fails() const;
   [[nodiscard]] const std::map<double, Trial>& trials() const { return trials_; }
-  /// True if a factor above a failed one was stable. Then more than one bracket is possible, and the lowest counts.
+  /// True if the slope stood at a factor above one at which it failed. There is then more than one bracket, and the
+  /// lowest is used.
   [[nodiscard]] bool inconsistent() const;
 
  private:
@@ -61,11 +62,11 @@ class FosSearch {
 
   Range range_;
   std::map<double, Trial> trials_;
-  int rounds_ = 0;  // with a guess
+  int rounds_ = 0;  // rounds of runs that used an estimate
 };
 
-/// The factor at which the line through two points is zero, for an acceleration that grows linearly with -1/F.
-/// @return nothing where the line does not fall to zero above 0
+/// The factor at which the acceleration is zero, by a line through two points of the acceleration over 1/F.
+/// @return empty if the acceleration does not grow with F, or the line has no zero at a positive factor
 [[nodiscard]] std::optional<double> zero_of(double factor_1, double acceleration_1, double factor_2,
                                             double acceleration_2);
 

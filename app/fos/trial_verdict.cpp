@@ -12,13 +12,13 @@
 namespace scree::app {
 namespace {
 
-constexpr double kAccelerates = 1.5;  // gain in speed times t over the displacement added; 2 for constant acceleration
-constexpr double kGains = 0.02;       // least gain in speed of an accelerating block, over its first speed
+constexpr double kAccelerates = 1.5;  // least gain in speed times t over the displacement added; constant: 2
+constexpr double kGains = 0.02;       // least gain in speed of an accelerating block, over its initial speed
 constexpr const char* kDetached =
-    "no path of closed contacts";  // reason of a block that has detached: coupling/stages/driver.h
-constexpr double kOfMargin = 0.3;  // acceleration of a failure, over (1 - F_s) g
+    "no path of closed contacts";  // in the reason of a run that ended with a detached block: coupling/stages/driver.h
+constexpr double kOfMargin = 0.3;  // least acceleration of a failure, over (1 - F_s) g
 
-/// First and last frame of a stage; empty if the run has no frame of it.
+/// First and last frame of a stage; empty if the run has none.
 std::optional<std::pair<std::size_t, std::size_t>> frames_of(const std::vector<io::StoredNote>& notes,
                                                              const std::string& stage) {
   std::optional<std::pair<std::size_t, std::size_t>> out;
@@ -48,12 +48,12 @@ void decide(const Decision& d, bool balanced, double seconds, TrialResult& out) 
   const auto fastest = std::max_element(out.motions.begin(), out.motions.end(),
                                         [](const auto& a, const auto& b) { return a.speed < b.speed; });
   if (fastest == out.motions.end() || !(seconds > 0.0)) {
-    out.why = "no motion was seen";
+    out.why = "no motion was recorded";
     return;
   }
   out.fastest = fastest->name;
-  // Implicit static steps leave no speed. Explicit steps leave the speed of a slide that never slowed down, so that
-  // only the gain in speed counts. A steady creep gains no speed.
+  // After implicit static steps all speeds are zero. After explicit ones a slide that never slowed down keeps its
+  // speed; therefore only the gain in speed counts. Steady creep gains no speed.
   const double way = fastest->displacement.norm(), first = fastest->first_speed, gain = fastest->speed - first;
   out.acceleration = std::max(0.0, gain) / seconds;
   const double gone = farthest(out.motions);
@@ -66,12 +66,12 @@ void decide(const Decision& d, bool balanced, double seconds, TrialResult& out) 
   }
   if (accelerates && (gone >= d.limit || out.acceleration > least)) {
     out.verdict = Verdict::failed;
-    out.why = fmt::format("block '{}' has gone {:.3g} m in {:.3g} s, at {:.3g} m/s2", fastest->name, way, seconds,
-                          out.acceleration);
+    out.why = fmt::format("block '{}' has moved {:.3g} m in {:.3g} s and accelerates at {:.3g} m/s2", fastest->name,
+                          way, seconds, out.acceleration);
     return;
   }
-  out.why =
-      fmt::format("block '{}' creeps: {:.3g} m in {:.3g} s, {:.2g} m/s", fastest->name, way, seconds, fastest->speed);
+  out.why = fmt::format("block '{}' creeps: {:.3g} m in {:.3g} s, {:.2g} m/s at the end", fastest->name, way, seconds,
+                        fastest->speed);
   if (accelerates)
     out.needed = (std::sqrt(first * first + 2.0 * d.limit * out.acceleration) - first) / out.acceleration;
   else if (fastest->speed > 0.0)
@@ -102,15 +102,15 @@ TrialResult trial_result(const std::filesystem::path& folder, const Decision& d)
   const std::string reason = run.provenance("reason");
   if (out.displacement >= d.limit || reason.find(kDetached) != std::string::npos) {
     out.verdict = Verdict::failed;
-    out.why = fmt::format("moved {:.3g} m while its strength fell: {}", out.displacement, reason);
+    out.why = fmt::format("a block moved {:.3g} m while the strengths were reduced: {}", out.displacement, reason);
   } else {
-    out.why = "the run could not go on: " + reason;
+    out.why = "the run could not continue: " + reason;
   }
   return out;
 }
 
 TrialResult failure_to_rest(const std::filesystem::path& folder, double limit, const Vec2& gravity) {
-  constexpr double kFar = 4.0;  // limits
+  constexpr double kFar = 4.0;  // displacement at which the motion is evaluated, over the limit
   const io::RunReader run(folder);
   TrialResult out;
   out.verdict = Verdict::failed;

@@ -17,7 +17,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr double kFirstPeriod = 0.01, kLastPeriod = 10.0;  // of spectra [s]
+constexpr double kFirstPeriod = 0.01, kLastPeriod = 10.0;  // of the response spectra [s]
 constexpr std::size_t kPeriods = 121;                      // 40 per decade
 constexpr double kDegree = std::numbers::pi / 180.0;
 
@@ -29,7 +29,7 @@ double median_step(const std::vector<double>& time) {
   return *middle;
 }
 
-/// Time in which the integral of a^2 grows from 5 to 95 %.
+/// Time in which the integral of a^2 grows from 5 to 95 % of its final value [s].
 double significant_duration(const Samples& r) {
   std::vector<double> sum{0.0};
   for (std::size_t i = 0; i + 1 < r.time.size(); ++i) {
@@ -53,7 +53,8 @@ NewmarkResult newmark(const Samples& record, double yield, double factor) {
 RecordNumbers numbers_of(const std::filesystem::path& file, const SlopeQuestion& q, const SlopeNumbers& slope) {
   Samples r = record_in_si(file, q.unit);
   const double largest = peak(r);
-  if (q.pga && !(largest > 0.0)) throw std::invalid_argument(file.string() + ": nothing to scale to a peak");
+  if (q.pga && !(largest > 0.0))
+    throw std::invalid_argument(file.string() + ": all accelerations are zero and cannot be scaled to a peak");
   const double factor = q.pga ? *q.pga * kStandardGravity / largest : q.scale;
   for (double& a : r.acceleration) a *= factor;
   RecordNumbers out;
@@ -114,22 +115,23 @@ Json json_of(const std::vector<Response>& spectrum, double damping) {
 std::string text_of(const std::vector<RegressionResult>& results) {
   std::string out;
   for (const RegressionResult& r : results)
-    out += fmt::format("    {:<44} {:>10.3g} cm   {:.3g} to {:.3g} cm (sigma of log10 D {:g}){}\n",
+    out += fmt::format("    {:<44} {:>10.3g} cm   {:.3g} to {:.3g} cm within one sigma ({:g} of log10 D){}\n",
                        fmt::format("Jibson (2007) eq. {}: {}", r.equation, r.form), r.median, r.lower, r.upper, r.sigma,
-                       r.outside.empty() ? "" : "\n      beyond its data: " + r.outside);
+                       r.outside.empty() ? "" : "\n      outside the range of its data: " + r.outside);
   return out;
 }
 
 std::string text_of(const char* what, const NewmarkResult& n) {
-  return fmt::format("    {:<44} {:>10.4g} cm   forward {:.4g}, backward {:.4g} cm, in {} and {} slips\n",
-                     fmt::format("Newmark block, {} {:.4g} g", what, n.yield), 100.0 * n.mean(),
-                     100.0 * n.forward.displacement, 100.0 * n.backward.displacement, n.forward.slips,
-                     n.backward.slips);
+  return fmt::format(
+      "    {0:<44} {1:>10.4g} cm   mean of {2:.4g} cm forward ({4} slips) and {3:.4g} cm backward ({5} slips)\n",
+      fmt::format("Newmark block, {} {:.4g} g", what, n.yield), 100.0 * n.mean(), 100.0 * n.forward.displacement,
+      100.0 * n.backward.displacement, n.forward.slips, n.backward.slips);
 }
 
 std::string text_of(const RecordNumbers& r, double damping) {
   std::string out = fmt::format(
-      "{}\n    {} points, {:.6g} s at {:.4g} s; PGA {:.4g} g, PGV {:.4g} m/s, Arias {:.4g} m/s, 5-95 % in {:.4g} s\n",
+      "{}\n    {} points, {:.6g} s in steps of {:.4g} s; PGA {:.4g} g, PGV {:.4g} m/s, Arias intensity {:.4g} m/s, "
+      "5 to 95 % of it in {:.4g} s\n",
       r.file, r.points, r.facts.duration, r.step, r.facts.pga / kStandardGravity, r.facts.pgv, r.facts.arias,
       r.duration_5_95);
   if (r.along) out += text_of("along the plane, a_c", *r.along);
@@ -138,8 +140,9 @@ std::string text_of(const RecordNumbers& r, double damping) {
   const auto top = std::max_element(r.spectrum.begin(), r.spectrum.end(), [](const Response& a, const Response& b) {
     return a.pseudo_acceleration < b.pseudo_acceleration;
   });
-  out += fmt::format("    spectrum, {:g} % damping: largest PSA {:.4g} g at {:.3g} s\n", 100.0 * damping,
-                     top->pseudo_acceleration / kStandardGravity, top->period);
+  out +=
+      fmt::format("    response spectrum, {:g} % of critical damping: largest PSA {:.4g} g at a period of {:.3g} s\n",
+                  100.0 * damping, top->pseudo_acceleration / kStandardGravity, top->period);
   return out;
 }
 
@@ -149,12 +152,12 @@ Samples record_in_si(const std::filesystem::path& file, const std::string& unit)
   io::Record r = io::read_record(file, io::Gaps::refuse);
   if (r.unit.empty() && unit.empty())
     throw io::CaseError(file.string(), {},
-                        {"the file does not say the unit of its accelerations", "", "", "--unit g, m/s2 or cm/s2",
+                        {"the file does not state the unit of its accelerations", "", "", "--unit g, m/s2 or cm/s2",
                          "add --unit g if they are in g"});
   if (!r.unit.empty() && !unit.empty() && r.unit != unit)
     throw io::CaseError(
         file.string(), {},
-        {"the file says that its accelerations are in " + r.unit, "", unit, r.unit, "leave out --unit"});
+        {"the file states that its accelerations are in " + r.unit, "", unit, r.unit, "leave out --unit"});
   const std::string& in = r.unit.empty() ? unit : r.unit;
   const double factor = in == "g" ? kStandardGravity : in == "cm/s2" ? 0.01 : 1.0;
   for (double& a : r.acceleration) a *= factor;
@@ -182,15 +185,15 @@ std::string slope_text(const SlopeQuestion& q, const SlopeNumbers& n) {
   if (q.slide) {
     const PlaneSlide& s = *q.slide;
     out += fmt::format(
-        "plane at {:.4g} deg, {:.6g} m; block of {:.6g} N/m; phi {:.4g} deg, c {:.6g} Pa; uplift {:.6g}, "
-        "thrust {:.6g} N/m\n",
+        "plane with a dip of {:.4g} deg and a length of {:.6g} m; block of {:.6g} N/m; phi {:.4g} deg, c {:.6g} Pa; "
+        "uplift {:.6g} N/m, thrust {:.6g} N/m\n",
         s.dip / kDegree, s.length, s.weight, s.friction / kDegree, s.cohesion, s.uplift, s.thrust);
     out += fmt::format("    factor of safety, static                     {:>10.4f}      Hoek and Bray 1981, eq. 7.3\n",
                        *n.fos);
     out += fmt::format("    with k_h = {:g}, k_v = {:g}{:{}}{:>10.4f}\n", q.k_h, q.k_v, "",
                        std::max(1, 29 - static_cast<int>(fmt::format("{:g}{:g}", q.k_h, q.k_v).size())), *n.fos_shaken);
     out += fmt::format("    yield coefficient k_y (horizontal)           {:>10.4f} g{}\n", *n.yield_k_h,
-                       *n.yield_k_h <= 0.0 ? "    it slides without shaking" : "");
+                       *n.yield_k_h <= 0.0 ? "    the block slides without shaking" : "");
     out += fmt::format("    critical acceleration a_c = (F - 1) sin dip  {:>10.4f} g    Newmark 1965\n", *n.critical);
   }
   for (const RecordNumbers& r : n.records) out += text_of(r, q.damping);

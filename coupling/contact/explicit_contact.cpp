@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "coupling/contact/law/explicit_law.h"
 #include "coupling/contact/law/joint_strength.h"
@@ -189,7 +190,8 @@ void ExplicitContact::for_points(Ledger& ledger, OfRange&& of_range) {
 }
 
 void ExplicitContact::foresee(double h, std::span<const double> q, std::span<const double> v, std::span<double> f) {
-  finder_.find(q, *list_, false, ahead_, ContactPairs::Of::ghosts);
+  if (!std::exchange(indexed_, true)) finder_.index(*list_);
+  finder_.find_of_ghosts(q, ahead_);
   set_velocities(v, v_);
   respond(h, ahead_);
   (void)finder_.adopt_kinds(ahead_);

@@ -88,8 +88,8 @@ struct Cholesky::Impl {
 };
 
 void Cholesky::Impl::find_cliques(const DofRows& rows) {
-  placed_start = rows.start();
-  placed_dof = rows.dof();
+  placed_start.assign(rows.start().begin(), rows.start().end());
+  placed_dof.assign(rows.dof().begin(), rows.dof().end());
   clique.resize(rows.size());
   clique_row.clear();
   std::unordered_map<std::string_view, std::int32_t> known;
@@ -221,7 +221,8 @@ void Cholesky::set_pattern(const SymmetricPattern& pattern) {
 
 bool Cholesky::factorise(std::span<const double> values, const DofRows& rows, std::span<const double> scale) {
   Impl& s = *impl_;
-  const bool same_rows = rows.start() == s.placed_start && rows.dof() == s.placed_dof;
+  const bool same_rows =
+      std::ranges::equal(rows.start(), s.placed_start) && std::ranges::equal(rows.dof(), s.placed_dof);
   if (!same_rows) s.find_cliques(rows);
   bool analysed = s.factor != nullptr && (s.placed || s.find_fixed_places());
   analysed = analysed && ((same_rows && s.placed) || s.find_places(rows));

@@ -3,7 +3,10 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <memory>
+#include <new>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "coupling/linear/small_block.h"
@@ -68,11 +71,12 @@ class DofRows {
     return {std::span(dof_).subspan(first, n), std::span(h_).subspan(first, n), known_[i]};
   }
   /// Starts, unknowns and coefficients of all rows, one after another.
-  [[nodiscard]] const std::vector<std::int32_t>& start() const { return start_; }
-  [[nodiscard]] const std::vector<std::int32_t>& dof() const { return dof_; }
-  [[nodiscard]] const std::vector<double>& h() const { return h_; }
+  [[nodiscard]] std::span<const std::int32_t> start() const { return start_; }
+  [[nodiscard]] std::span<const std::int32_t> dof() const { return dof_; }
+  [[nodiscard]] std::span<const double> h() const { return h_; }
 
-  /// Appends a row of sizes[i] unknowns for each i; fill() gives their places, in any order.
+  /// Appends a row of sizes[i] unknowns for each i, whose numbers have no meaning before they are set; fill() gives
+  /// their places, in any order.
   void extend(std::span<const std::int32_t> sizes) {
     const std::size_t rows = size() + sizes.size();
     grow(start_, rows + 1);
@@ -148,14 +152,34 @@ class DofRows {
   }
 
  private:
-  /// Reserves room for `size` numbers and a sixteenth more: resize() alone may double the capacity.
+  /// An array whose resize() leaves new numbers without a value: extend() would write all of them twice.
   template <class Number>
-  static void grow(std::vector<Number>& v, std::size_t size) {
+  struct Raw : std::allocator<Number> {
+    template <class Other>
+    struct rebind {
+      using other = Raw<Other>;
+    };
+    template <class Other>
+    void construct(Other* at) {
+      ::new (static_cast<void*>(at)) Other;
+    }
+    template <class Other, class... From>
+    void construct(Other* at, From&&... from) {
+      ::new (static_cast<void*>(at)) Other(std::forward<From>(from)...);
+    }
+  };
+  template <class Number>
+  using Numbers = std::vector<Number, Raw<Number>>;
+
+  /// Reserves room for `size` numbers and a sixteenth more: resize() alone may double the capacity.
+  template <class Vector>
+  static void grow(Vector& v, std::size_t size) {
     constexpr std::size_t kMore = 16;
     if (size > v.capacity()) v.reserve(size + size / kMore);
   }
-  std::vector<std::int32_t> start_{0}, dof_;
-  std::vector<double> h_, known_;
+  std::vector<std::int32_t> start_{0};
+  Numbers<std::int32_t> dof_;
+  Numbers<double> h_, known_;
 };
 
 }  // namespace scree::coupling

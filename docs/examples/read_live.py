@@ -1,11 +1,11 @@
 #!/usr/bin/env python3
-"""Follows a run that streams (scree run --live) with nothing but Python: no LCM, no packages.
+"""Receives the messages of a run that streams (scree run --live). It needs Python alone, without LCM or other packages.
 
     read_live.py [--run NAME] [--group 239.255.76.67:7667] [--for SECONDS] [--timeout SECONDS] [--state FILE.json]
 
-Prints a line for every INFO and event, and ends with the run; --state then writes the last frame, monitors and ledger.
-The messages are described by the files of io/lcmtypes (installed: share/scree/lcmtypes), which it reads; --types names
-another place for them."""
+It prints one line for every INFO message and every event, and ends when the run has ended; with --state it then writes
+the last frame, the monitors and the energy ledger to a file. The types of the messages are defined by the files in
+io/lcmtypes (installed: share/scree/lcmtypes), which it reads; --types gives another folder for them."""
 import argparse
 import collections
 import json
@@ -17,7 +17,7 @@ import sys
 import time
 import zlib
 
-# --- types: <name>.lcm -> fields (type, name, sizes), and the fingerprint that begins a message -------------------------
+# --- types: fields (type, name, sizes) read from <name>.lcm, and the fingerprint at the start of a message --------------
 
 NUMBERS = {"int8_t": "b", "int16_t": "h", "int32_t": "i", "int64_t": "q", "float": "f", "double": "d", "byte": "B"}
 PRIMITIVE = {*NUMBERS, "string", "boolean"}
@@ -35,7 +35,7 @@ def read_types(folder):
 
 
 def fingerprint(types, name):
-    """As lcm-gen computes it, with 64 bits and signs."""
+    """Fingerprint of a message type, as lcm-gen computes it in signed 64-bit arithmetic."""
     def signed(v):
         v &= (1 << 64) - 1
         return v - (1 << 64) if v >> 63 else v
@@ -73,20 +73,20 @@ class Decoder:
         self.fingerprints = {name: struct.pack(">Q", fingerprint(types, name)) for name in types}
 
     def message(self, name, data):
-        """Fields of a whole message as a dict; raises Malformed."""
+        """Fields of a complete message as a dict. Raises Malformed if the message is not valid."""
         if len(data) < 12 or data[:8] != self.fingerprints[name]:
-            raise Malformed("fingerprint")
+            raise Malformed("wrong fingerprint")
         if struct.unpack(">I", data[-4:])[0] != zlib.crc32(data[:-4]):
-            raise Malformed("CRC")
+            raise Malformed("wrong CRC")
         self.data, self.at = data, 8
         fields = self.fields(name)
         if self.at != len(data):
-            raise Malformed("length")
+            raise Malformed("wrong length")
         return fields
 
     def take(self, count):
         if count < 0 or self.at + count > len(self.data):
-            raise Malformed("length inside")
+            raise Malformed("a field extends beyond the end of the message")
         self.at += count
         return self.data[self.at - count:self.at]
 
@@ -97,7 +97,7 @@ class Decoder:
             for size in field.sizes:
                 count *= int(size) if size.isdigit() else out[size]
             if count < 0:
-                raise Malformed("negative count")
+                raise Malformed("negative number of elements")
             if field.type in NUMBERS:
                 code = struct.Struct(f">{count}{NUMBERS[field.type]}")
                 values = code.unpack(self.take(code.size))
@@ -112,11 +112,12 @@ class Decoder:
         return out
 
 
-# --- meshes and frames: what io/lcmtypes/{topo,mesh,state}_v1_t.lcm say -------------------------------------------------
+# --- meshes and frames, as io/lcmtypes/{topo,mesh,state}_v1_t.lcm define them -------------------------------------------
 
 
 class Run:
-    """The newest messages of one session: the latest session that sends."""
+    """The newest messages of the present session. A newer session replaces the present one at once; an older session
+    replaces it only if the present one has sent nothing for 3 s and has not reported its end."""
 
     def __init__(self, decoder):
         self.decoder, self.session, self.heard, self.malformed, self.frames = decoder, -1, 0, 0, 0
@@ -133,7 +134,7 @@ class Run:
             header = message["header"]
             now = int(time.time() * 1e6)
             if header["session"] > now + 60_000_000 or header["sequence"] > now - header["session"] + 60_000_000:
-                raise Malformed("from the future")  # all correct messages after it would be rejected
+                raise Malformed("time in the future")  # if accepted, all correct messages after it would seem outdated
             going_on = not self.info or self.info["status"] in ("running", "paused")
             if header["session"] < self.session and not (going_on and now - self.heard > 3_000_000):
                 return False
@@ -145,7 +146,7 @@ class Run:
             return True
         except (Malformed, KeyError, IndexError, ValueError) as wrong:
             self.malformed += 1
-            print(f"dropped a {kind} message: {wrong}", file=sys.stderr)
+            print(f"rejected a message of kind {kind}: {wrong}", file=sys.stderr)
             return False
 
     def take_info(self, message, _):
@@ -155,7 +156,7 @@ class Run:
         self.energy = message
 
     def take_event(self, message, header):
-        self.events.setdefault(header["sequence"], message)  # known events are sent again
+        self.events.setdefault(header["sequence"], message)  # each event is sent repeatedly
 
     def take_hist(self, message, header):
         if self.history and header["sequence"] <= self.history["sequence"]:
@@ -174,14 +175,14 @@ class Run:
     def take_topo(self, message, header):
         if self.mesh and self.mesh["id"] == header["topology_id"]:
             return
-        chunks = self.mesh_chunks.setdefault(header["topology_id"], {})  # a mesh is sent repeatedly with the same bytes
+        chunks = self.mesh_chunks.setdefault(header["topology_id"], {})  # a mesh is sent repeatedly, with the same bytes
         chunks[message["chunk"]] = message["data"]
         if len(chunks) < message["chunks"]:
             return
         self.mesh_chunks.clear()
         whole = bytes(b"".join(bytes(chunks[k]) for k in range(message["chunks"])))
         mesh = self.decoder.message("mesh_v1_t", whole)
-        # Bodies: the blocks in the order of their first cells; a point belongs to the body of the first cell that
+        # Bodies are the blocks in the order of their first cells. A point belongs to the body of the first cell that
         # contains it.
         bodies, owner, at = {}, {}, 0
         for corners, block in zip(mesh["corners"], mesh["block"]):
@@ -197,7 +198,7 @@ class Run:
 
     def take_state(self, message, header):
         if not self.mesh or self.mesh["id"] != header["topology_id"]:
-            return  # its mesh arrives within a second
+            return  # the mesh of this frame arrives within a second
         if self.frame and header["sequence"] <= self.frame["sequence"]:
             return
         for old in [k for k in self.state_chunks if k < header["sequence"]]:
@@ -244,8 +245,8 @@ def listen(group, port):
 
 
 def take_apart(datagram):
-    """Channel and data of an LCM datagram: "LC02", the number of the message, the channel ended by a zero, the data.
-    (Messages above 64 kB are split, "LC03"; those of Scree never are.)"""
+    """Channel and data of an LCM datagram, which consists of "LC02", the number of the message, the channel terminated
+    by a zero byte, and the data. (LCM splits messages above 64 kB into fragments, "LC03"; those of Scree are smaller.)"""
     if datagram[:4] != b"LC02" or b"\0" not in datagram[8:72]:
         return None, None
     end = datagram.index(b"\0", 8)
@@ -256,10 +257,10 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--run", default="", help="name of the run (default: the one that started last)")
     parser.add_argument("--group", default="239.255.76.67:7667")
-    parser.add_argument("--for", dest="seconds", type=float, default=float("inf"), help="end after so many seconds")
-    parser.add_argument("--timeout", type=float, default=10.0, help="give up after so many seconds of silence")
-    parser.add_argument("--state", help="write the last frame, monitors and ledger to this file")
-    here = pathlib.Path(__file__).resolve().parent  # in the sources, or in PREFIX/share/doc/scree/examples
+    parser.add_argument("--for", dest="seconds", type=float, default=float("inf"), help="end after this many seconds")
+    parser.add_argument("--timeout", type=float, default=10.0, help="give up after this many seconds without a message")
+    parser.add_argument("--state", help="write the last frame, the monitors and the energy ledger to this file (JSON)")
+    here = pathlib.Path(__file__).resolve().parent  # in the source tree, or in PREFIX/share/doc/scree/examples
     places = [here / "../../io/lcmtypes", here / "../../../scree/lcmtypes", pathlib.Path("/usr/share/scree/lcmtypes")]
     parser.add_argument("--types", default=next((p for p in places if any(p.glob("*.lcm"))), places[0]))
     arguments = parser.parse_args()
@@ -276,7 +277,7 @@ def main():
             channel, data = take_apart(source.recv(65536))
         except socket.timeout:
             if time.monotonic() - heard > arguments.timeout:
-                print(f"nothing heard for {arguments.timeout:g} s", file=sys.stderr)
+                print(f"no message was received for {arguments.timeout:g} s", file=sys.stderr)
                 return 5
             continue
         match = channel and wanted.fullmatch(channel)

@@ -70,7 +70,6 @@ Jump between(const Instant& before, const Instant& now) {
 
 TEST(Switching, a_sliding_slope_keeps_forces_gaps_and_slip_through_every_change) {
   Scene scene(5e9, 0.2, 2600.0, 12.0);
-  scene.model.joints[0].damping = 0.2;
   scene.model.joints[0].damping = 0.0;
   const Mat2 R = rotation(-25.0 * kDegree);
   const auto turned = [&](const Polygon& p) { return transformed(p, Vec2(0.0, 0.0), R); };

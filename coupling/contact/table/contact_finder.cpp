@@ -462,11 +462,15 @@ void ContactFinder::describe(const VertexEdge& pair, const ContactMemory* was, b
   }
 }
 
-void ContactFinder::find(std::span<const double> q, const ContactList& known, bool at_start, ContactList& out,
-                         ContactPairs::Of of) {
+void ContactFinder::find(std::span<const double> q, const ContactList& known, bool at_start, ContactList& out) {
   place_nodes(q);
   known_.index(known);
-  list_points(pairs_.update(x_, known_, of), at_start, out);
+  list_points(pairs_.update(x_, known_), at_start, out);
+}
+
+void ContactFinder::find_of_ghosts(std::span<const double> q, ContactList& out) {
+  place_nodes(q);
+  list_points(pairs_.update(x_, known_, ContactPairs::Of::ghosts), false, out);
 }
 
 void ContactFinder::find_again(const ContactList& known, ContactList& out) {

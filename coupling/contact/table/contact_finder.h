@@ -25,10 +25,10 @@ class ContactFinder {
   /// side takes its place, or passes to the next edge in line, the memory passes as well. New points start open. Where
   /// a share changes and the kind of contact stays, gap and stretch stay, and with them the traction.
   /// @param at_start  t = 0: touching pairs are closed without stress, their gap becomes gap0
-  /// @param of        which points; those of ghosts alone equal those of the whole list except for the effect of
-  /// corners between two other bodies
-  void find(std::span<const double> q, const ContactList& known, bool at_start, ContactList& out,
-            ContactPairs::Of of = ContactPairs::Of::all);
+  void find(std::span<const double> q, const ContactList& known, bool at_start, ContactList& out);
+  /// The same for the points of ghosts alone, at positions that a step may reach. They equal those of the whole list
+  /// except for the effect of corners between two other bodies.   @pre index() or take_noted() for the list
+  void find_of_ghosts(std::span<const double> q, ContactList& out);
   /// True if a list can be updated to q in place, with the same bits as by find(). Most points then stay, each with its
   /// memory; where points of a vertex appear, end or pass their memory on, all points of the vertex are made anew,
   /// outside the list, which has not changed yet. Next: splice() if any were made; move() of the points that others may

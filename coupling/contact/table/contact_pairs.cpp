@@ -45,17 +45,21 @@ ContactPairs::ContactPairs(const Setup& setup, const JointSprings& springs, doub
       search_(setup, reach),
       direction_(setup.outlines().edges.size()),
       ends_(direction_.size()),
-      box_(direction_.size()),
-      first_(setup.outlines().vertices.size() + 1) {
+      box_(direction_.size()) {
   for (const Outlines::Edge& e : setup.outlines().edges) ghost_.push_back(setup.body(e.body).ghost ? 1 : 0);
   // So that steps need not allocate.
   const std::size_t expected = 2 * setup.outlines().vertices.size();
   deep_.reserve(expected);
-  pairs_.reserve(expected);
-  next_.reserve(first_.size());
-  found_.resize(2);
-  for (Found& f : found_) f.pairs.reserve(std::min(expected, 2 * static_cast<std::size_t>(kContactChunk)));
-  place_.reserve(expected);
+  const bool ghost = std::any_of(ghost_.begin(), ghost_.end(), [](char g) { return g != 0; });
+  for (Lists* lists : {&lists_, &other_}) {
+    lists->first.resize(setup.outlines().vertices.size() + 1);
+    if (lists == &other_ && !ghost) break;
+    lists->pairs.reserve(expected);
+    lists->found.resize(2);
+    for (Found& f : lists->found) f.pairs.reserve(std::min(expected, 2 * static_cast<std::size_t>(kContactChunk)));
+    lists->place.reserve(expected);
+  }
+  next_.reserve(lists_.first.size());
   seen_.reserve(expected);
 }
 
@@ -153,7 +157,7 @@ void ContactPairs::Found::end() {
 template <class See>
 void ContactPairs::for_found(See&& see) const {
   std::size_t k = 0;
-  for (const Found& f : found_)
+  for (const Found& f : lists_.found)
     for (const VertexEdge& pair : f.pairs) see(pair, k++);
 }
 
@@ -198,19 +202,21 @@ void ContactPairs::try_edges(OutlinePositions x, EdgeIndex a, EdgeIndex b, const
 }
 
 void ContactPairs::sort() {
+  std::vector<VertexEdge>& pairs = lists_.pairs;
+  IndexedVector<VertexIndex, std::int32_t>& first_of = lists_.first;
   std::size_t count = 0;
-  for (const Found& f : found_) count += f.pairs.size();
-  next_.assign(first_.size(), 0);
+  for (const Found& f : lists_.found) count += f.pairs.size();
+  next_.assign(first_of.size(), 0);
   for_found([&](const VertexEdge& p, std::size_t) { ++next_[p.vertex + 1]; });
   std::vector<std::int32_t>& next_of = next_.values();
   for (std::size_t v = 1; v < next_of.size(); ++v) next_of[v] += next_of[v - 1];
-  pairs_.resize(count);
-  for_found([&](const VertexEdge& p, std::size_t) { pairs_[static_cast<std::size_t>(next_[p.vertex]++)] = p; });
-  auto kept = pairs_.begin();
+  pairs.resize(count);
+  for_found([&](const VertexEdge& p, std::size_t) { pairs[static_cast<std::size_t>(next_[p.vertex]++)] = p; });
+  auto kept = pairs.begin();
   VertexIndex next{0};  // without a first pair yet
-  for (auto begin = pairs_.begin(), end = begin; begin != pairs_.end(); begin = end) {
-    for (; next <= begin->vertex; next = next + 1) first_[next] = static_cast<std::int32_t>(kept - pairs_.begin());
-    while (end != pairs_.end() && end->vertex == begin->vertex) ++end;
+  for (auto begin = pairs.begin(), end = begin; begin != pairs.end(); begin = end) {
+    for (; next <= begin->vertex; next = next + 1) first_of[next] = static_cast<std::int32_t>(kept - pairs.begin());
+    while (end != pairs.end() && end->vertex == begin->vertex) ++end;
     std::sort(begin, end);
     for (const auto first = kept; begin != end; ++begin) {
       // A vertex between two edges in line may face one edge with both.
@@ -225,23 +231,23 @@ void ContactPairs::sort() {
       }
     }
   }
-  pairs_.erase(kept, pairs_.end());
-  for (; next < first_.next(); next = next + 1) first_[next] = static_cast<std::int32_t>(pairs_.size());
-  // Place in pairs_ of each pair that was listed.
-  place_.resize(count);
-  seen_.assign(pairs_.size(), 0);
+  pairs.erase(kept, pairs.end());
+  for (; next < first_of.next(); next = next + 1) first_of[next] = static_cast<std::int32_t>(pairs.size());
+  // Place in pairs of each pair that was listed.
+  lists_.place.resize(count);
+  seen_.assign(pairs.size(), 0);
   for_found([&](const VertexEdge& p, std::size_t k) {
     auto at = first_pair(p.vertex);
-    while (pairs_[at].edge != p.edge) ++at;
-    place_[k] = {static_cast<std::int32_t>(at), seen_[at] != 0};
+    while (pairs[at].edge != p.edge) ++at;
+    lists_.place[k] = {static_cast<std::int32_t>(at), seen_[at] != 0};
     seen_[at] = 1;
   });
 }
 
 void ContactPairs::refresh() {
   for_found([&](const VertexEdge& from, std::size_t k) {
-    VertexEdge& to = pairs_[static_cast<std::size_t>(place_[k].pair)];
-    if (place_[k].adds) {  // to at most one other: the sum of two does not depend on their order
+    VertexEdge& to = lists_.pairs[static_cast<std::size_t>(lists_.place[k].pair)];
+    if (lists_.place[k].adds) {  // to at most one other: the sum of two does not depend on their order
       to.tributary += from.tributary;
       to.behind += from.behind;
       to.ahead += from.ahead;
@@ -286,6 +292,10 @@ void ContactPairs::find_deep(const KnownContacts& known) {
 }
 
 std::span<const VertexEdge> ContactPairs::update(OutlinePositions x, const KnownContacts& known, Of of) {
+  if ((of == Of::ghosts) != ghosts_) {
+    std::swap(lists_, other_);
+    ghosts_ = !ghosts_;
+  }
   const auto wanted = [&](EdgeIndex a, EdgeIndex b) { return of != Of::ghosts || ghost_[a] != 0 || ghost_[b] != 0; };
   if (std::exchange(placed_, true)) {
     for (const IndexRange<EdgeIndex> r : setup_->outlines().moving_edges) place_edges(x, r);
@@ -296,17 +306,18 @@ std::span<const VertexEdge> ContactPairs::update(OutlinePositions x, const Known
   const bool in_turn = of == Of::all_in_turn;
   if (in_turn)
     quiet_.begin(x, setup_->outlines().moving_nodes, near, search_.times_listed() != times_listed_);
-  else
+  else if (of == Of::all)
     quiet_.forget();
-  times_listed_ = search_.times_listed();
+  if (of != Of::ghosts) times_listed_ = search_.times_listed();
   const auto size = static_cast<std::int64_t>(near.size());
   const auto chunks = static_cast<std::size_t>((size + kContactChunk - 1) / kContactChunk);
-  bool same = found_.size() == chunks + 1;
-  found_.resize(chunks + 1);
+  std::vector<Found>& found = lists_.found;
+  bool same = found.size() == chunks + 1;
+  found.resize(chunks + 1);
   parallel_for_chunks(
       size,
       [&](std::int64_t begin, std::int64_t end) {
-        Found& out = found_[static_cast<std::size_t>(begin / kContactChunk)];
+        Found& out = found[static_cast<std::size_t>(begin / kContactChunk)];
         out.begin();
         for (auto k = static_cast<std::size_t>(begin); k < static_cast<std::size_t>(end); ++k) {
           const EdgePair& pair = near[k];
@@ -320,18 +331,18 @@ std::span<const VertexEdge> ContactPairs::update(OutlinePositions x, const Known
       kFewEdgePairs, kContactChunk);
   // A corner that was pressed deeper than the search reaches, as through a thin plate, is still kept.
   find_deep(known);
-  Found& deep = found_.back();
+  Found& deep = found.back();
   deep.begin();
   for (const EdgePair& pair : deep_)
     if (wanted(pair.a, pair.b) && !std::binary_search(near.begin(), near.end(), pair))
       try_edges(x, pair.a, pair.b, known, deep);
   deep.end();
-  for (const Found& f : found_) same = same && f.same;
+  for (const Found& f : found) same = same && f.same;
   if (same)
     refresh();
   else
     sort();
-  return pairs_;
+  return lists_.pairs;
 }
 
 }  // namespace scree::coupling

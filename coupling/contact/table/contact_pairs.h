@@ -47,10 +47,12 @@ class ContactPairs {
   /// Declares that `known` of the next update() does not follow from the one before.
   void forget() { quiet_.forget(); }
   /// The result of the last update().
-  [[nodiscard]] std::span<const VertexEdge> pairs() const { return pairs_; }
+  [[nodiscard]] std::span<const VertexEdge> pairs() const { return lists_.pairs; }
   /// Index of a vertex's first pair in pairs(); its pairs end where those of the next vertex begin.
   /// @param vertex  any, or one beyond the last
-  [[nodiscard]] std::size_t first_pair(VertexIndex vertex) const { return static_cast<std::size_t>(first_[vertex]); }
+  [[nodiscard]] std::size_t first_pair(VertexIndex vertex) const {
+    return static_cast<std::size_t>(lists_.first[vertex]);
+  }
   /// How far every outline node may move before update() can return a pair [m]; 0 if it could now.
   [[nodiscard]] double clearance(OutlinePositions x) { return search_.clearance(x); }
   /// Unit vector of an edge from its first to its last vertex.
@@ -97,8 +99,8 @@ class ContactPairs {
   void for_found(See&& see) const;
   /// Sorts the pairs: by vertex in one pass, then the few of each vertex, and merges those of one edge.
   void sort();
-  /// Updates pairs_ without sorting, if the same vertices against the same edges were listed as last time, in the same
-  /// order.
+  /// Updates the pairs without sorting, if the same vertices against the same edges were listed as last time, in the
+  /// same order.
   void refresh();
 
   const Setup* setup_;
@@ -112,16 +114,22 @@ class ContactPairs {
   IndexedVector<EdgeIndex, std::array<Vec2, 2>> ends_;  // positions of its first and its last vertex
   IndexedVector<EdgeIndex, Box> box_;
   bool placed_ = false;  // those of bodies at rest are placed
-  std::vector<VertexEdge> pairs_;
-  std::vector<Found> found_;  // per chunk of pairs of edges; last those of deep_
   struct Place {
     std::int32_t pair;
     bool adds;
   };
-  std::vector<Place> place_;                               // of what was found, in pairs_
-  std::vector<char> seen_;                                 // scratch of sort()
-  IndexedVector<VertexIndex, std::int32_t> first_, next_;  // its first pair, and the end; where sort() puts the next
-  std::vector<EdgePair> deep_;                             // of closed contacts deeper than the search reaches
+  /// What an update leaves.
+  struct Lists {
+    std::vector<VertexEdge> pairs;
+    std::vector<Found> found;                        // per chunk of pairs of edges; last those of deep_
+    std::vector<Place> place;                        // of what was found, in pairs
+    IndexedVector<VertexIndex, std::int32_t> first;  // its first pair, and the end
+  };
+  Lists lists_, other_;     // of ghosts, and of all, or the other way round: most updates list what the last one did
+  bool ghosts_ = false;     // lists_ is that of ghosts
+  std::vector<char> seen_;  // scratch of sort()
+  IndexedVector<VertexIndex, std::int32_t> next_;  // where sort() puts the next pair of a vertex
+  std::vector<EdgePair> deep_;                     // of closed contacts deeper than the search reaches
 };
 
 }  // namespace scree::coupling
