@@ -152,13 +152,9 @@ class DofRows {
   }
 
  private:
-  /// An array whose resize() leaves new numbers without a value: extend() would write all of them twice.
+  /// Allocator of arrays whose resize() leaves new numbers without a value: extend() would write all of them twice.
   template <class Number>
   struct Raw : std::allocator<Number> {
-    template <class Other>
-    struct rebind {
-      using other = Raw<Other>;
-    };
     template <class Other>
     void construct(Other* at) {
       ::new (static_cast<void*>(at)) Other;

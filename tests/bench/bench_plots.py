@@ -2,7 +2,7 @@
 import math
 import pathlib
 
-WIDTH, HEIGHT, LEFT, RIGHT, TOP, BOTTOM = 560, 360, 70, 150, 30, 50
+WIDTH, HEIGHT, LEFT, RIGHT, TOP, BOTTOM = 700, 360, 70, 290, 30, 50
 COLOURS = ("#1f6fb4", "#d1662a", "#3b8f4e", "#7a4fa3", "#8c6d31")
 
 

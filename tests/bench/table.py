@@ -100,8 +100,10 @@ class Table:
     def figure(self, row, unit, must=None, higher=False):
         return self.figures.setdefault(row, Figure(row, unit, must, higher))
 
-    def grow(self, plot, series, n, value):
-        """Adds a point to a growth plot."""
+    def grow(self, plot, series, n, value, program=None):
+        """Adds a point to a growth plot; of a program, where two are compared."""
+        if program is not None and len(self.programs) > 1:
+            series = f"{program.name}: {series}"
         self.growth[plot][2].setdefault(series, []).append((n, value))
 
     def case(self, name, text):
@@ -142,8 +144,8 @@ def explicit_wall(table, courses=30):
         point.add(program, 1e9 * seconds / summary["contacts"])
     table.steps(f"explicit-{courses}", bench_cases.SETTLED, 0.002, 0.002 + 0.3 / courses, add)
     for p in table.programs:
-        table.grow("point", f"{p.name}: explicit", 1e6 * step.median(p.name) / point.median(p.name), point.median(p.name))
-        table.grow("step", f"{p.name}: explicit", blocks, step.median(p.name))
+        table.grow("point", "explicit", 1e6 * step.median(p.name) / point.median(p.name), point.median(p.name), p)
+        table.grow("step", "explicit", blocks, step.median(p.name), p)
 
 
 def explicit_points(table):
@@ -180,7 +182,7 @@ def implicit_wall(table, courses=30):
         figure = table.figure(f"implicit DDA, wall of {blocks} blocks, {kind}, 1 ms: a step", "ms", must if courses == 30 else None)
         table.steps(name, bench_cases.SETTLED, 0.005, 0.005 + long, lambda p, s, _, f=figure: f.add(p, 1e3 * s))
         for p in table.programs:
-            table.grow("step", f"{p.name}: implicit, {kind}", blocks, figure.median(p.name))
+            table.grow("step", f"implicit, {kind}", blocks, figure.median(p.name), p)
 
 
 def box2d(table, courses=30):
@@ -246,7 +248,7 @@ def two_blocks(table):
 
 def memory(table):
     """Peak memory over N: of a wall at rest (blocks, with their contacts), of the same blocks apart, of an NMM block."""
-    sizes = (10, 30, 60) + ((100, 200) if table.full else ())
+    sizes = (10, 30, 60) + ((100, 200, 316) if table.full else ())
     for program in table.programs[:1]:
         touching, apart, contacts, elements = [], [], [], []
         for courses in sizes:
@@ -290,22 +292,29 @@ def threads(table):
 
 
 def large(table):
-    """100,000 blocks: check, set-up up to the first step, one implicit step; memory."""
+    """100,000 blocks: check, set-up up to the first step, one implicit step; memory. Smaller walls for the growth plots."""
     if not table.full:
         return
-    courses = 316
-    case = table.case("large", bench_cases.wall(courses, "implicit", settle=False))
+    largest = 316
     check = table.figure("100,000 blocks: check", "s", 15)
     enter = table.figure("100,000 blocks: to the first step", "s")
     one = table.figure("100,000 blocks: an implicit step", "s", 8)
     peak = table.figure("100,000 blocks: memory", "GB", 2.5)
-    for program in table.programs:
-        check.add(program, program("check", case)[0])
-        (first, _), _ = program.run(case, "large", "--until", 0.001)
-        (second, _), summary = program.run(case, "large", "--until", 0.002)
-        one.add(program, second - first)
-        enter.add(program, first - (second - first))
-        peak.add(program, 1e-9 * summary["peak_memory_bytes"])
+    for courses in (30, 60, 100, 200, largest):
+        case = table.case("large", bench_cases.wall(courses, "implicit", settle=False))
+        blocks = bench_cases.wall_blocks(courses)
+        for program in table.programs:
+            (first, _), _ = program.run(case, "large", "--until", 0.001)
+            (second, _), summary = program.run(case, "large", "--until", 0.002)
+            table.grow("step", "implicit, second step from rest", blocks, 1e3 * (second - first), program)
+            if program.name == NEW:
+                table.grow("memory", "blocks in a wall, implicit", blocks, summary["peak_memory_bytes"])
+            if courses < largest:
+                continue
+            check.add(program, program("check", case)[0])
+            one.add(program, second - first)
+            enter.add(program, first - (second - first))
+            peak.add(program, 1e-9 * summary["peak_memory_bytes"])
 
 
 ROWS = {"explicit": explicit_wall, "points": explicit_points, "slope": slope, "implicit": implicit_wall, "box2d": box2d, "growth": implicit_growth,
