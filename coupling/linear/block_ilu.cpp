@@ -16,7 +16,7 @@ void round_to(const double* block, FloatBlock& out) {
 
 using Rows = double[kBlockSide][kBlockSide];
 
-/// Sum and largest of the absolute values.   @return not finite if one of them is not
+/// Sum and largest of the absolute values; the sum is finite if all numbers are.
 std::pair<double, double> size_of(const Rows& m) {
   double sum = 0.0, largest = 0.0;
   for (const auto& row : m)

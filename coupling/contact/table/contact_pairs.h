@@ -125,9 +125,9 @@ class ContactPairs {
     std::vector<Place> place;                        // of what was found, in pairs
     IndexedVector<VertexIndex, std::int32_t> first;  // its first pair, and the end
   };
-  Lists lists_, other_;     // of ghosts, and of all, or the other way round: most updates list what the last one did
-  bool ghosts_ = false;     // lists_ is that of ghosts
-  std::vector<char> seen_;  // scratch of sort()
+  Lists lists_, other_;  // of the last update, and of the other kind (ghosts, or all): most updates of a kind are alike
+  bool ghosts_ = false;  // lists_ is that of ghosts
+  std::vector<char> seen_;                         // scratch of sort()
   IndexedVector<VertexIndex, std::int32_t> next_;  // where sort() puts the next pair of a vertex
   std::vector<EdgePair> deep_;                     // of closed contacts deeper than the search reaches
 };
