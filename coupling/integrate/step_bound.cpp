@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <limits>
 
 namespace scree::coupling {
@@ -23,36 +22,33 @@ StepBound::StepBound(const Setup& setup)
     : setup_(&setup),
       stiff_(static_cast<std::size_t>(setup.nodes()), 0.0),
       viscous_(static_cast<std::size_t>(setup.nodes()), 0.0) {
+  // A damped spring has h = (2/w)(sqrt(1 + xi^2) - xi) ([Qu2013] 5.3.2): as if it were stiffer.
+  for (const JointLaw& law : setup.model().joints) {
+    const double shrink = std::sqrt(1.0 + law.damping * law.damping) - law.damping;
+    stiffer_.push_back(shrink * shrink);
+  }
   const Outlines& o = setup.outlines();
   node_compliance_.reserve(o.nodes.size());
-  node_first_.reserve(o.nodes.size() + 1);
-  node_first_.push_back(0);
+  const auto list_touched = [this](auto& lists) {
+    std::sort(touched_.begin(), touched_.end());
+    touched_.erase(std::unique(touched_.begin(), touched_.end()), touched_.end());
+    lists.push_back(touched_);
+    touched_.clear();
+  };
   for (const OutlineNode i : o.nodes.indices()) {
     node_compliance_.push_back(compliance(o.node_body[i], o.nodes[i]));
-    touched_.clear();
     touch_row(o.node_body[i], o.nodes[i]);
-    std::sort(touched_.begin(), touched_.end());
-    node_groups_.insert(node_groups_.end(), touched_.begin(), std::unique(touched_.begin(), touched_.end()));
-    node_first_.push_back(static_cast<std::int32_t>(node_groups_.size()));
+    list_touched(of_node_);
   }
-  touched_.clear();
+  for (const Outlines::Segment& s : o.segments) {
+    for (const OutlineNode end : {s.a, s.b}) touched_.insert(touched_.end(), of_node_[end].begin(), of_node_[end].end());
+    list_touched(of_segment_);
+  }
 }
 
 double StepBound::compliance(BodyIndex body, const Row& row) const {
   const Body& b = setup_->body(body);
   return b.driven || setup_->on_ghost(row) ? 0.0 : setup_->pool_of(b).compliance(b.index, setup_->local(b, row));
-}
-
-std::span<const std::int32_t> StepBound::groups_of(OutlineNode node) const {
-  return std::span(node_groups_.begin() + node_first_[node], node_groups_.begin() + node_first_[node + 1]);
-}
-
-std::span<const std::int32_t> StepBound::groups_of(OutlineNode a, OutlineNode b) {
-  const auto of_a = groups_of(a), of_b = groups_of(b);
-  if (std::equal(of_a.begin(), of_a.end(), of_b.begin(), of_b.end())) return of_a;
-  found_.clear();
-  std::set_union(of_a.begin(), of_a.end(), of_b.begin(), of_b.end(), std::back_inserter(found_));
-  return found_;
 }
 
 void StepBound::touch_row(BodyIndex body, const Row& row) {
@@ -99,13 +95,10 @@ void StepBound::collect_contacts(const StepParts& in) {
     // The foot lies between the ends (or a little beyond): its compliance is at most that of a combination of the two.
     const double reach = std::max({1.0, std::abs(p.at.xi), std::abs(1.0 - p.at.xi)});
     const double mu = mu_of(0) + reach * reach * std::max(mu_of(1), mu_of(2));
-    // A damped spring has h = (2/w)(sqrt(1 + xi^2) - xi) ([Qu2013] 5.3.2): as if it were stiffer.
-    const double xi = setup_->model().joints[static_cast<std::size_t>(in.contacts.memory[i].joint)].damping;
-    const double shrink = std::sqrt(1.0 + xi * xi) - xi;
-    const double k = (std::max(in.contacts.memory[i].kn, in.contacts.memory[i].kt) + p.margin) / (shrink * shrink);
-    const auto body_of = [&](std::size_t n) { return o.node_body[p.node[n]]; };
-    add(Kind::contact, body_of(1), k * mu, groups_of(p.node[0]));
-    add(Kind::contact, body_of(0), k * mu, groups_of(p.node[1], p.node[2]));
+    const ContactMemory& m = in.contacts.memory[i];
+    const double k = (std::max(m.kn, m.kt) + p.margin) / stiffer_[static_cast<std::size_t>(m.joint)];
+    add(Kind::contact, o.node_body[p.node[1]], k * mu, of_node_[p.node[0]]);
+    add(Kind::contact, o.node_body[p.node[0]], k * mu, of_segment_[p.segment]);
   }
 }
 

@@ -58,9 +58,21 @@ class StepBound {
   };
 
   [[nodiscard]] double compliance(BodyIndex body, const Row& row) const;
-  /// The groups of an outline node, or of two, in order.   @return valid until the next call
-  [[nodiscard]] std::span<const std::int32_t> groups_of(OutlineNode node) const;
-  [[nodiscard]] std::span<const std::int32_t> groups_of(OutlineNode a, OutlineNode b);
+  /// Lists of groups, one per index, each in order.
+  template <class Index>
+  struct GroupLists {
+    IndexedVector<Index, std::int32_t> first;  // its first one in `groups`, and the end
+    std::vector<std::int32_t> groups;
+
+    [[nodiscard]] std::span<const std::int32_t> operator[](Index i) const {
+      return {groups.data() + first[i], groups.data() + first[i + 1]};
+    }
+    void push_back(std::span<const std::int32_t> list) {
+      if (first.values().empty()) first.push_back(0);
+      groups.insert(groups.end(), list.begin(), list.end());
+      first.push_back(static_cast<std::int32_t>(groups.size()));
+    }
+  };
   /// Appends the groups of any row to touched_.
   void touch_row(BodyIndex body, const Row& row);
   /// Adds a spring or dashpot to the sums of groups; no group is given twice.
@@ -74,15 +86,16 @@ class StepBound {
   [[nodiscard]] std::string shares(const Body& b, const ExplicitDamping& damping, double h) const;
 
   const Setup* setup_;
-  IndexedVector<OutlineNode, double> node_compliance_;   // [1/kg]
-  IndexedVector<OutlineNode, std::int32_t> node_first_;  // its first group in node_groups_, and the end
-  std::vector<std::int32_t> node_groups_;                // groups, by the first node of each
-  std::vector<double> stiff_, viscous_;                  // sums, by the first node of a group
+  std::vector<double> stiffer_;                         // per joint law: what its damping makes of a stiffness of 1
+  IndexedVector<OutlineNode, double> node_compliance_;  // [1/kg]
+  GroupLists<OutlineNode> of_node_;                     // groups, by the first node of each
+  GroupLists<SegmentIndex> of_segment_;                 // of either end
+  std::vector<double> stiff_, viscous_;                 // sums, by the first node of a group
   std::vector<std::int32_t> touched_;
   bool listed_ = false;  // each part is recorded, for the message about what binds the step
   std::vector<Part> list_;
   std::vector<std::int32_t> groups_;  // of the parts
-  std::vector<std::int32_t> found_;   // scratch
+  std::vector<std::int32_t> found_;   // scratch of touch_row()
 };
 
 /// Longest step between two evaluations of slow internal forces, w = sqrt(theta lambda_body) of the stiffest slow body:

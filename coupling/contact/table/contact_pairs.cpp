@@ -36,6 +36,11 @@ double room_beside(const std::array<Vec2, 2>& edge, const Vec2& direction, const
   return (beside(edge, direction, x, y) - far) / (2.0 + 4.0 * lever);
 }
 
+/// Order of the pairs of one vertex.
+bool comes_before(const VertexEdge& p, const VertexEdge& q) {
+  return p.edge != q.edge ? p.edge < q.edge : p.own < q.own;
+}
+
 }  // namespace
 
 ContactPairs::ContactPairs(const Setup& setup, const JointSprings& springs, double reach)
@@ -60,7 +65,7 @@ ContactPairs::ContactPairs(const Setup& setup, const JointSprings& springs, doub
     lists->place.reserve(expected);
   }
   next_.reserve(lists_.first.size());
-  seen_.reserve(expected);
+  origin_.reserve(expected);
 }
 
 bool ContactPairs::edge_edge(EdgeIndex a, EdgeIndex b, const KnownContacts& known) const {
@@ -203,45 +208,58 @@ void ContactPairs::try_edges(OutlinePositions x, EdgeIndex a, EdgeIndex b, const
 
 void ContactPairs::sort() {
   std::vector<VertexEdge>& pairs = lists_.pairs;
-  IndexedVector<VertexIndex, std::int32_t>& first_of = lists_.first;
+  std::vector<Place>& place = lists_.place;
   std::size_t count = 0;
   for (const Found& f : lists_.found) count += f.pairs.size();
-  next_.assign(first_of.size(), 0);
+  // By vertex; origin_ holds which of all that was found each one is.
+  next_.assign(lists_.first.size(), 0);
   for_found([&](const VertexEdge& p, std::size_t) { ++next_[p.vertex + 1]; });
   std::vector<std::int32_t>& next_of = next_.values();
   for (std::size_t v = 1; v < next_of.size(); ++v) next_of[v] += next_of[v - 1];
   pairs.resize(count);
-  for_found([&](const VertexEdge& p, std::size_t) { pairs[static_cast<std::size_t>(next_[p.vertex]++)] = p; });
-  auto kept = pairs.begin();
-  VertexIndex next{0};  // without a first pair yet
-  for (auto begin = pairs.begin(), end = begin; begin != pairs.end(); begin = end) {
-    for (; next <= begin->vertex; next = next + 1) first_of[next] = static_cast<std::int32_t>(kept - pairs.begin());
-    while (end != pairs.end() && end->vertex == begin->vertex) ++end;
-    std::sort(begin, end);
-    for (const auto first = kept; begin != end; ++begin) {
-      // A vertex between two edges in line may face one edge with both.
-      if (kept != first && std::prev(kept)->edge == begin->edge) {
-        VertexEdge& same = *std::prev(kept);
-        same.tributary += begin->tributary;
-        same.behind += begin->behind;
-        same.ahead += begin->ahead;
-      } else {
-        if (kept != begin) *kept = *begin;
-        ++kept;
-      }
-    }
-  }
-  pairs.erase(kept, pairs.end());
-  for (; next < first_of.next(); next = next + 1) first_of[next] = static_cast<std::int32_t>(pairs.size());
-  // Place in pairs of each pair that was listed.
-  lists_.place.resize(count);
-  seen_.assign(pairs.size(), 0);
+  origin_.resize(count);
+  place.resize(count);
   for_found([&](const VertexEdge& p, std::size_t k) {
-    auto at = first_pair(p.vertex);
-    while (pairs[at].edge != p.edge) ++at;
-    lists_.place[k] = {static_cast<std::int32_t>(at), seen_[at] != 0};
-    seen_[at] = 1;
+    const auto at = static_cast<std::size_t>(next_[p.vertex]++);
+    pairs[at] = p;
+    origin_[at] = static_cast<std::int32_t>(k);
   });
+  // next_ holds where the pairs of each vertex end now.
+  std::vector<std::int32_t>& first_of = lists_.first.values();
+  std::size_t kept = 0, begin = 0;
+  for (std::size_t v = 0; v + 1 < first_of.size(); ++v) {
+    first_of[v] = static_cast<std::int32_t>(kept);
+    const auto end = static_cast<std::size_t>(next_of[v]);
+    for (std::size_t i = begin + 1; i < end; ++i)  // they are few
+      for (std::size_t j = i; j > begin && comes_before(pairs[j], pairs[j - 1]); --j) {
+        std::swap(pairs[j], pairs[j - 1]);
+        std::swap(origin_[j], origin_[j - 1]);
+      }
+    for (std::size_t i = begin; i < end; ++i) {
+      const std::int32_t from = origin_[i];
+      if (i > begin && pairs[kept - 1].edge == pairs[i].edge) {
+        // A vertex between two edges in line may face one edge with both. The first that was found sets the sums.
+        VertexEdge& same = pairs[kept - 1];
+        same.tributary += pairs[i].tributary;
+        same.behind += pairs[i].behind;
+        same.ahead += pairs[i].ahead;
+        const std::int32_t first = std::min(from, origin_[kept - 1]), second = std::max(from, origin_[kept - 1]);
+        place[static_cast<std::size_t>(first)] = {static_cast<std::int32_t>(kept - 1), false};
+        place[static_cast<std::size_t>(second)] = {static_cast<std::int32_t>(kept - 1), true};
+        origin_[kept - 1] = first;
+        continue;
+      }
+      if (kept != i) {
+        pairs[kept] = pairs[i];
+        origin_[kept] = from;
+      }
+      place[static_cast<std::size_t>(from)] = {static_cast<std::int32_t>(kept), false};
+      ++kept;
+    }
+    begin = end;
+  }
+  first_of.back() = static_cast<std::int32_t>(kept);
+  pairs.resize(kept);
 }
 
 void ContactPairs::refresh() {

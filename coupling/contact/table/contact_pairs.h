@@ -127,7 +127,7 @@ class ContactPairs {
   };
   Lists lists_, other_;  // of the last update, and of the other kind (ghosts, or all): most updates of a kind are alike
   bool ghosts_ = false;  // lists_ is that of ghosts
-  std::vector<char> seen_;                         // scratch of sort()
+  std::vector<std::int32_t> origin_;               // scratch of sort()
   IndexedVector<VertexIndex, std::int32_t> next_;  // where sort() puts the next pair of a vertex
   std::vector<EdgePair> deep_;                     // of closed contacts deeper than the search reaches
 };
