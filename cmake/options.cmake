@@ -23,7 +23,8 @@ target_include_directories(scree_options INTERFACE $<BUILD_INTERFACE:${PROJECT_S
 target_compile_features(scree_options INTERFACE cxx_std_20)
 # Results must not depend on how the compiler contracts a*b+c: hashes are compared between runs and thread counts.
 # errno is not read after sqrt, and loops that contain a call are not vectorised; values are the same.
-target_compile_options(scree_options INTERFACE -ffp-contract=off -fno-math-errno
+# Without the third option no function that another library could replace is inlined in position-independent code.
+target_compile_options(scree_options INTERFACE -ffp-contract=off -fno-math-errno $<BUILD_INTERFACE:-fno-semantic-interposition>
                        "$<BUILD_INTERFACE:-Wall;-Wextra;-Wpedantic;-Wshadow;-Wconversion;-Wno-sign-conversion>"
                        # False alarms of GCC 12 in its own headers (AVX-512 intrinsics: bugs 105593, 107461; strings: 105651).
                        # Clang's warning of the same name is an error in clang-tidy's run. In a unity build

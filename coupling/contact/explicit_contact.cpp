@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -145,12 +146,12 @@ void ExplicitContact::add(const ContactList& list, std::span<double> f) const {
       const ContactPoint& p = list.points[i];
       const ContactMemory& m = list.memory[i];
       const double normal = m.fn + m.water;
-      if ((normal == 0.0 && m.ft == 0.0) || !std::any_of(p.node.begin(), p.node.end(), takes)) continue;
+      if (normal == 0.0 && m.ft == 0.0) continue;
+      const std::array taken{takes(p.node[0]), takes(p.node[1]), takes(p.node[2])};
+      if (!taken[0] && !taken[1] && !taken[2]) continue;
       const ContactRow gap = gap_row(p.at), stretch = stretch_row(p.at, m.anchor);
-      for (std::size_t k = 0; k < 3; ++k) {
-        if (!takes(p.node[k])) continue;
-        forces_[p.node[k]] += normal * gap[k] + m.ft * stretch[k];
-      }
+      for (std::size_t k = 0; k < 3; ++k)
+        if (taken[k]) forces_[p.node[k]] += normal * gap[k] + m.ft * stretch[k];
     }
   };
   parallel_for(parts, collect, 2);

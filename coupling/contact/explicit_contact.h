@@ -130,7 +130,7 @@ class ExplicitContact {
   template <class OfRange>
   void for_points(Ledger& ledger, OfRange&& of_range);
   /// Part of arrive_in_place() for one point alone.   @param first  of a point of moves_first(), else null
-  void arrive_point(double h, std::size_t i, const Left* first, Chunk& chunk);
+  [[gnu::flatten]] void arrive_point(double h, std::size_t i, const Left* first, Chunk& chunk);
   /// Part of arrive_in_place(): points that appear or end, and those that others may depend on.
   void make_way(double h);
   /// Part of arrive_in_place(): the check of friction for the points that slide, and the laws of friction.

@@ -51,22 +51,28 @@ void SlidingDamping::begin() {
 }
 
 void SlidingDamping::count(const Outlines& outlines, const ContactList& list) {
+  const auto carries = [](const ContactMemory& m) { return m.status != ContactStatus::open && m.fn > 0.0; };
+  const auto body_of = [&](std::size_t i, std::size_t end) {
+    return outlines.node_body[list.points[i].node[end]].index();
+  };
+  bool any = false;
   for (std::size_t i = 0; i < list.points.size(); ++i) {
     const ContactMemory& m = list.memory[i];
-    if (m.status == ContactStatus::open || !(m.fn > 0.0)) continue;
-    double slides = 0.0, mu = 0.0;
-    if (m.slide.last.slip != 0.0F) {
-      const auto joint = static_cast<std::size_t>(m.joint);
-      const Strength now = strength((*laws_)[joint], laws_->tan_friction(joint), m);
-      slides = m.fn * sliding_part(now, m);
-      mu = now.coefficient;
-    }
+    if (m.slide.last.slip == 0.0F || !carries(m)) continue;
+    const auto joint = static_cast<std::size_t>(m.joint);
+    const Strength now = strength((*laws_)[joint], laws_->tan_friction(joint), m);
+    const double slides = m.fn * sliding_part(now, m), mu = now.coefficient;
     for (const std::size_t end : {std::size_t{0}, std::size_t{1}}) {
-      const std::size_t b = outlines.node_body[list.points[i].node[end]].index();
-      all_[b] += m.fn;
-      slipping_[b] += slides;
-      steep_[b] += slides * mu * mu * mu;
+      slipping_[body_of(i, end)] += slides;
+      steep_[body_of(i, end)] += slides * mu * mu * mu;
     }
+    any = true;
+  }
+  if (!any) return;
+  for (std::size_t i = 0; i < list.points.size(); ++i) {
+    const ContactMemory& m = list.memory[i];
+    if (!carries(m)) continue;
+    for (const std::size_t end : {std::size_t{0}, std::size_t{1}}) all_[body_of(i, end)] += m.fn;
   }
 }
 

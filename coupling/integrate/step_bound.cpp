@@ -25,7 +25,7 @@ StepBound::StepBound(const Setup& setup)
   // A damped spring has h = (2/w)(sqrt(1 + xi^2) - xi) ([Qu2013] 5.3.2): as if it were stiffer.
   for (const JointLaw& law : setup.model().joints) {
     const double shrink = std::sqrt(1.0 + law.damping * law.damping) - law.damping;
-    stiffer_.push_back(shrink * shrink);
+    shortens_.push_back(shrink * shrink);
   }
   const Outlines& o = setup.outlines();
   node_compliance_.reserve(o.nodes.size());
@@ -41,7 +41,8 @@ StepBound::StepBound(const Setup& setup)
     list_touched(of_node_);
   }
   for (const Outlines::Segment& s : o.segments) {
-    for (const OutlineNode end : {s.a, s.b}) touched_.insert(touched_.end(), of_node_[end].begin(), of_node_[end].end());
+    for (const OutlineNode end : {s.a, s.b})
+      touched_.insert(touched_.end(), of_node_[end].begin(), of_node_[end].end());
     list_touched(of_segment_);
   }
 }
@@ -96,9 +97,16 @@ void StepBound::collect_contacts(const StepParts& in) {
     const double reach = std::max({1.0, std::abs(p.at.xi), std::abs(1.0 - p.at.xi)});
     const double mu = mu_of(0) + reach * reach * std::max(mu_of(1), mu_of(2));
     const ContactMemory& m = in.contacts.memory[i];
-    const double k = (std::max(m.kn, m.kt) + p.margin) / stiffer_[static_cast<std::size_t>(m.joint)];
-    add(Kind::contact, o.node_body[p.node[1]], k * mu, of_node_[p.node[0]]);
-    add(Kind::contact, o.node_body[p.node[0]], k * mu, of_segment_[p.segment]);
+    const double k = (std::max(m.kn, m.kt) + p.margin) / shortens_[static_cast<std::size_t>(m.joint)];
+    const double size = k * mu;
+    const std::span<const std::int32_t> of_corner = of_node_[p.node[0]], of_foot = of_segment_[p.segment];
+    if (listed_) {
+      add(Kind::contact, o.node_body[p.node[1]], size, of_corner);
+      add(Kind::contact, o.node_body[p.node[0]], size, of_foot);
+      continue;
+    }
+    for (const std::int32_t g : of_corner) stiff_[static_cast<std::size_t>(g)] += size;
+    for (const std::int32_t g : of_foot) stiff_[static_cast<std::size_t>(g)] += size;
   }
 }
 

@@ -86,7 +86,7 @@ class StepBound {
   [[nodiscard]] std::string shares(const Body& b, const ExplicitDamping& damping, double h) const;
 
   const Setup* setup_;
-  std::vector<double> stiffer_;                         // per joint law: what its damping makes of a stiffness of 1
+  std::vector<double> shortens_;                        // per joint law: squared factor of its damping on the step
   IndexedVector<OutlineNode, double> node_compliance_;  // [1/kg]
   GroupLists<OutlineNode> of_node_;                     // groups, by the first node of each
   GroupLists<SegmentIndex> of_segment_;                 // of either end

@@ -92,11 +92,6 @@ void Ledger::set(Column energy_column, double value) {
   now = value;
 }
 
-void Ledger::book(Column column, double increment) {
-  value_[static_cast<std::size_t>(column)] += increment;
-  moved_ += std::abs(increment);
-}
-
 void Ledger::add(const Ledger& booked) {
   for (std::size_t i = 0; i < value_.size(); ++i) value_[i] += booked.value_[i];
   moved_ += booked.moved_;

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <span>
 #include <string_view>
 
@@ -91,7 +92,10 @@ class Ledger {
   /// other columns with the opposite sign.
   void set(Column energy, double value);
   /// Adds an increment to a work, dissipation or scheme column.
-  void book(Column column, double increment);
+  void book(Column column, double increment) {
+    value_[static_cast<std::size_t>(column)] += increment;
+    moved_ += std::abs(increment);
+  }
   /// Adds the columns and the energy moved of another ledger, in which increments alone were booked.
   void add(const Ledger& booked);
 

@@ -65,8 +65,15 @@ std::span<const OverlapPoint> EdgeOverlap::divide(const Outlines& o, OutlinePosi
   const double low = std::max(of_a.start(), of_b.end()), high = std::min(of_a.end(), of_b.start());
   if (!(high > low)) return points_;
   const auto before = [](const Kink& p, const Kink& q) { return p.s != q.s ? p.s < q.s : p.vertex < q.vertex; };
-  if (of_a.straight() && of_b.straight()) {  // two ends of the overlap; four vertices where they meet exactly
-    std::array<Kink, 4> ends;
+  if (of_a.straight() && of_b.straight()) {
+    const bool a_begins = of_a.start() > of_b.end(), a_ends = of_a.end() < of_b.start();
+    if (of_a.start() != of_b.end() && of_a.end() != of_b.start()) {
+      const double whole = high - low, half = 0.5 * whole;
+      points_.push_back({a_begins ? of_a.vertex(0) : of_b.vertex(1), a_begins ? b : a, half, 0.0, whole});
+      points_.push_back({a_ends ? of_a.vertex(1) : of_b.vertex(0), a_ends ? b : a, half, whole, 0.0});
+      return points_;
+    }
+    std::array<Kink, 4> ends;  // vertices meet exactly
     std::size_t count = 0;
     const auto put = [&](EdgeIndex against) {
       return [&, against](VertexIndex vertex, double s) { ends[count++] = {s, vertex, against}; };
@@ -77,25 +84,17 @@ std::span<const OverlapPoint> EdgeOverlap::divide(const Outlines& o, OutlinePosi
     share(std::span(ends).first(count));
     return points_;
   }
-  kinks_.clear();
-  const auto add = [&](const Places& places, EdgeIndex against) {
-    places.within(low, high, middle, [&](std::int32_t k, double s) {
-      kinks_.push_back({s, places.vertex(k), against});
-    });
-  };
-  add(of_a, b);
-  const auto count = static_cast<std::ptrdiff_t>(kinks_.size());
-  add(of_b, a);
-  const auto end_a = kinks_.begin() + count;
-  std::reverse(end_a, kinks_.end());
-  merged_.resize(kinks_.size());
-  if (std::is_sorted(kinks_.begin(), end_a, before) && std::is_sorted(end_a, kinks_.end(), before)) {
-    std::merge(kinks_.begin(), end_a, end_a, kinks_.end(), merged_.begin(), before);
-  } else {  // an edge that is bent back on itself
-    std::copy(kinks_.begin(), kinks_.end(), merged_.begin());
-    std::sort(merged_.begin(), merged_.end(), before);
-  }
-  share(merged_);
+  of_a_.clear();
+  of_b_.clear();
+  of_a.within(low, high, middle, [&](std::int32_t k, double s) { of_a_.push_back({s, of_a.vertex(k), b}); });
+  of_b.within(low, high, middle, [&](std::int32_t k, double s) { of_b_.push_back({s, of_b.vertex(k), a}); });
+  // Where an edge is bent back on itself its vertices are not in the order of their places.
+  const auto after = [&](const Kink& p, const Kink& q) { return before(q, p); };
+  if (!std::is_sorted(of_a_.begin(), of_a_.end(), before)) std::sort(of_a_.begin(), of_a_.end(), before);
+  if (!std::is_sorted(of_b_.begin(), of_b_.end(), after)) std::sort(of_b_.begin(), of_b_.end(), after);
+  kinks_.resize(of_a_.size() + of_b_.size());
+  std::merge(of_a_.begin(), of_a_.end(), of_b_.rbegin(), of_b_.rend(), kinks_.begin(), before);
+  share(kinks_);
   return points_;
 }
 

@@ -36,7 +36,7 @@ class EdgeOverlap {
   };
   /// Gives each kink half of the pieces beside it.   @param kinks  in order
   void share(std::span<const Kink> kinks);
-  std::vector<Kink> kinks_, merged_;
+  std::vector<Kink> of_a_, of_b_, kinks_;  // on either edge, in its direction; on both
   std::vector<OverlapPoint> points_;
 };
 

@@ -43,24 +43,9 @@ JointId JointSprings::law_of(EdgeIndex edge_a, EdgeIndex edge_b) const {
   return law_between(setup_->model(), a, b);
 }
 
-bool JointSprings::per_area(JointId id) const { return !law(id).penalty; }
-
-double JointSprings::normal_stiffness(JointId id, EdgeIndex edge_a, EdgeIndex edge_b) const {
-  if (law(id).normal_stiffness) return *law(id).normal_stiffness;
-  return std::max(modulus_over_width_[edge_a], modulus_over_width_[edge_b]);
-}
-
 double JointSprings::corner_length(JointId id, EdgeIndex edge_a, EdgeIndex edge_b) const {
   if (law(id).contact_length > 0.0) return law(id).contact_length;
   return kCornerLength * std::min(root_area_[edge_a], root_area_[edge_b]);
-}
-
-Springs JointSprings::springs(JointId id, EdgeIndex edge_a, EdgeIndex edge_b, double tributary) const {
-  const JointLaw& j = law(id);
-  if (j.penalty)
-    return {j.contact_length > 0.0 ? j.contact_length : tributary, *j.penalty, j.shear_penalty.value_or(*j.penalty)};
-  const double normal = normal_stiffness(id, edge_a, edge_b);
-  return {tributary, tributary * normal, tributary * j.shear_stiffness.value_or(normal)};
 }
 
 }  // namespace scree::coupling

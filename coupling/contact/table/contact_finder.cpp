@@ -112,16 +112,23 @@ void ContactFinder::place_nodes(std::span<const double> q) {
   }
 }
 
-ContactFinder::Under ContactFinder::segment_under(const Vec2& x, EdgeIndex edge) const {
+ContactFinder::Under ContactFinder::segment_under(const Vec2& x, EdgeIndex edge, std::int32_t guess) const {
   const Outlines& o = setup_->outlines();
   const Outlines::Edge& e = o.edges[edge];
   const auto squared = [&](const Outlines::Segment& s) { return squared_distance(x, x_[s.a], x_[s.b]); };
   if (e.segments == 1) return {e.first_segment, std::sqrt(squared(o.segments[e.first_segment]))};
   const Vec2& along = pairs_.direction(edge);
+  const double at = along.dot(x);
   const auto begin = o.segments.begin() + e.first_segment.value, end = begin + e.segments;
-  const auto next = std::upper_bound(begin + 1, end, along.dot(x), [&](double s, const Outlines::Segment& segment) {
-    return s < along.dot(x_[segment.a]);
-  });
+  const auto starts_ahead = [&](const Outlines::Segment& s) { return at < along.dot(x_[s.a]); };
+  auto next = begin + 1;  // the first segment that starts ahead of the point
+  if (guess >= 0) {
+    next += guess;
+    while (next != end && !starts_ahead(*next)) ++next;
+    while (next != begin + 1 && starts_ahead(*(next - 1))) --next;
+  } else {
+    next = std::partition_point(next, end, [&](const Outlines::Segment& s) { return !starts_ahead(s); });
+  }
   // Bent edges: a neighbour may be nearer than the segment that the straight line would give.
   const auto first = std::max(begin, next - 2), last = std::min(end, next + 1);
   auto best = first;
@@ -488,7 +495,9 @@ void ContactFinder::list_vertex(std::span<const VertexEdge> pairs, std::size_t o
     const bool has_memory = old < known_.size() && std::pair(known_.vertex(old), known_.edge(old)) == here;
     const bool closed = has_memory && known_.closed(old);
     const Outlines::Edge& edge = o.edges[pair.edge];
-    const Under under = closed && edge.segments == 1 ? Under{edge.first_segment, 0.0} : segment_under(xP, pair.edge);
+    const Under under = closed && edge.segments == 1
+                            ? Under{edge.first_segment, 0.0}
+                            : segment_under(xP, pair.edge, has_memory ? known_.segment(old) : -1);
     if (!closed && under.distance > detection_) continue;
     // Constructed in place: copying what has just been written waits for all pending writes to memory.
     ContactPoint& p = out.points.emplace_back();

@@ -56,7 +56,7 @@ class ContactFinder {
     const auto from = static_cast<std::size_t>(p.from);
     return p.from >= 0 && (known_.vertex(from) != p.vertex || known_.edge(from) != p.edge);
   }
-  void move(std::size_t i, ContactList& list);
+  [[gnu::flatten]] void move(std::size_t i, ContactList& list);
   /// Points on which others may depend, in order: settle() requires these alone to be moved.
   [[nodiscard]] std::span<const std::int32_t> moves_first() const { return first_; }
   void settle(ContactList& list);
@@ -94,7 +94,7 @@ class ContactFinder {
   /// The nearest other point of the same edge-edge contact, else of one in line where the joint continues on another
   /// block; -1 if there is none. It may be open only for a new point.
   /// @param next_only  leave out the point's own contact
-  [[nodiscard]] std::int32_t neighbour(const ContactPoint& p, bool next_only) const;
+  [[nodiscard]] [[gnu::noinline]] std::int32_t neighbour(const ContactPoint& p, bool next_only) const;
   /// Depth of a point below the joint in line beside it; its whole depth where there is none, independent of gap0 [m].
   [[nodiscard]] double entry_depth(const ContactPoint& p) const;
   /// The segment of an edge nearest to a point, and its distance [m].
@@ -102,7 +102,8 @@ class ContactFinder {
     SegmentIndex segment;
     double distance = 0.0;
   };
-  [[nodiscard]] Under segment_under(const Vec2& x, EdgeIndex edge) const;
+  /// @param guess  the segment that it was last time, counted within the edge; -1: not known
+  [[nodiscard]] Under segment_under(const Vec2& x, EdgeIndex edge, std::int32_t guess) const;
   [[nodiscard]] ContactGeometry geometry(VertexIndex vertex, SegmentIndex segment) const;
   [[nodiscard]] ContactKey key_of(VertexIndex vertex, EdgeIndex edge) const;
   [[nodiscard]] bool admissible(const ContactPoint& p) const;
@@ -123,15 +124,15 @@ class ContactFinder {
   };
   /// For keeps(): true if a vertex has a corner that passes to another edge.
   /// @param first,last  points of the vertex
-  [[nodiscard]] bool passes_on(std::size_t first, std::size_t last, const ContactList& list,
-                               std::vector<ContactPoint>& of_vertex) const;
+  [[nodiscard]] [[gnu::noinline]] bool passes_on(std::size_t first, std::size_t last, const ContactList& list,
+                                                 std::vector<ContactPoint>& of_vertex) const;
   /// For keeps(): true if the pair is a point, or none, as it was before.
   /// @param row  its point in the list, or -1   @param segment  receives the segment that it lies over
   /// @param anew  becomes true where find_again() is required
   [[nodiscard]] bool stays(const VertexEdge& pair, std::int32_t row, const ContactList& list, SegmentIndex& segment,
                            bool& anew) const;
   /// For keeps(): true if the pairs of a vertex are its points of the list; then moving_ contains them.
-  [[nodiscard]] bool stay(VertexIndex vertex, const ContactList& list, Kept& kept);
+  [[nodiscard]] [[gnu::flatten]] bool stay(VertexIndex vertex, const ContactList& list, Kept& kept);
   /// For keeps(): makes the points of changed vertices anew, and their places in moving_.
   void make_changed();
   /// Lists the points of one vertex.   @param old  the first known point that may belong to it

@@ -37,7 +37,9 @@ bool ContactFinder::stays(const VertexEdge& pair, std::int32_t row, const Contac
   segment = edge.first_segment;
   if (closed && pair.tributary > 0.0 && edge.segments == 1) return true;
   const Vec2& at = x_[o.vertices[pair.vertex].node];
-  const Under under = closed && edge.segments == 1 ? Under{segment, 0.0} : segment_under(at, pair.edge);
+  const Under under = closed && edge.segments == 1
+                          ? Under{segment, 0.0}
+                          : segment_under(at, pair.edge, listed ? known_.segment(static_cast<std::size_t>(row)) : -1);
   segment = under.segment;
   if (!closed && under.distance > detection_) return !listed;
   if (closed && pair.tributary > 0.0) return true;

@@ -146,7 +146,7 @@ bool ContactPairs::leans_in(const Outlines::Vertex& v, EdgeIndex edge) const {
   return n.dot(direction(v.edge_out)) < kLeast || -n.dot(direction(v.edge_in)) < kLeast;
 }
 
-void ContactPairs::Found::list(const VertexEdge& pair) {
+inline void ContactPairs::Found::list(const VertexEdge& pair) {
   if (count == pairs.size()) pairs.emplace_back();
   VertexEdge& p = pairs[count++];
   same = same && p.vertex == pair.vertex && p.edge == pair.edge && p.own == pair.own;

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "coupling/contact/contact_energy.h"
@@ -21,19 +22,21 @@ struct Two {
   Scene scene{1e9, 0.2, 2500.0};
   std::unique_ptr<ByHand> hand;
   std::unique_ptr<ContactFinder> finder;
-  Two(const Polygon& held, const Polygon& free) {
+  Two(const Polygon& held, const Polygon& free, const char* method = "dda") {
     scene.add("held", held, true);
     scene.add("free", free);
-    scene.stage("dda", Integrator::explicit_, 1.0, std::nullopt);
+    scene.stage(method, Integrator::explicit_, 1.0, std::nullopt);
     hand = std::make_unique<ByHand>(scene.model, scene.plan.stages[0]);
     finder = std::make_unique<ContactFinder>(*hand->setup, kDetection);
   }
   /// The list with the free block displaced by u from its position in the model.
   ContactList at(const Vec2& u, const ContactList& known) {
     const Body& b = hand->setup->bodies()[1];
+    const std::span<const double> t = hand->setup->pool_of(b).translation(b.index);
     std::vector<double> q = hand->state.q;
-    q[2 * static_cast<std::size_t>(b.first_node)] += u.x();
-    q[2 * static_cast<std::size_t>(b.first_node) + 1] += u.y();
+    for (std::size_t k = 0; k < t.size(); ++k)
+      for (std::size_t d = 0; d < 2; ++d)
+        q[2 * (static_cast<std::size_t>(b.first_node) + k) + d] += t[k] * u[static_cast<Eigen::Index>(d)];
     ContactList out;
     finder->find(q, known, false, out);
     return out;
@@ -214,6 +217,28 @@ TEST(CornerRules, dashpots_of_a_corner_are_the_fraction_of_critical_that_its_law
     EXPECT_NEAR(list.points[0].cn, 2.0 * fraction * std::sqrt(5e9 / compliance), 1e-3);
     EXPECT_NEAR(list.points[0].ct, 2.0 * fraction * std::sqrt(shear / compliance), 1e-3);
   }
+}
+
+/// The segment of a divided edge that lies below a vertex is looked for from where it was last time, however far away.
+TEST(ContactFinder, segment_below_a_vertex_is_the_same_from_wherever_it_was_before) {
+  Two two(rectangle(0, -1, 6, 0), rectangle(2, 0, 3, 1), "nmm");
+  const std::array ways{-1.7, -0.6, 0.0, 0.3, 1.1, 2.6};
+  int apart = 0, compared = 0;
+  for (const double from : ways)
+    for (const double to : ways) {
+      const ContactList known = two.at({from, 1e-3}), fresh = two.at({to, 1e-3}), now = two.at({to, 1e-3}, known);
+      ASSERT_EQ(now.points.size(), fresh.points.size());
+      for (std::size_t i = 0; i < now.points.size(); ++i) {
+        ASSERT_EQ(now.points[i].key, fresh.points[i].key);
+        EXPECT_EQ(now.points[i].segment, fresh.points[i].segment) << from << ' ' << to;
+        if (now.points[i].from < 0) continue;
+        ++compared;
+        const ContactPoint& was = known.points[static_cast<std::size_t>(now.points[i].from)];
+        apart = std::max(apart, std::abs(was.segment - now.points[i].segment));
+      }
+    }
+  EXPECT_GE(compared, 60);
+  EXPECT_GE(apart, 7);
 }
 
 }  // namespace
