@@ -176,11 +176,14 @@ void LumpedMass::project(std::size_t first, std::size_t last, std::span<const do
                                          : chunks_[static_cast<std::size_t>(from + count) - 1].end -
                                                chunks_[static_cast<std::size_t>(from)].begin;
   const double *u = v.data(), *mass = lumped_.data(), *X = X_.data()->data();
-  const auto sum_up = [&](std::size_t c, const auto& weight) {
+  const auto of_chunk = [&](std::int64_t n) {
+    const auto c = static_cast<std::size_t>(from + n);
+    const Chunk& chunk = chunks_[c];
     double x = 0.0, y = 0.0, Xx = 0.0, Xy = 0.0, Yx = 0.0, Yy = 0.0;
 #pragma omp simd reduction(+ : x, y, Xx, Xy, Yx, Yy)
-    for (auto k = static_cast<std::size_t>(chunks_[c].begin); k < static_cast<std::size_t>(chunks_[c].end); ++k) {
-      const double w = weight(k), ux = w * u[2 * k], uy = w * u[2 * k + 1];
+    for (auto k = static_cast<std::size_t>(chunk.begin); k < static_cast<std::size_t>(chunk.end); ++k) {
+      const double w = chunk.mixed && part_of_[k] != chunk.part ? 0.0 : (weighted ? mass[k] : 1.0);
+      const double ux = w * u[2 * k], uy = w * u[2 * k + 1];
       x += ux;
       y += uy;
       Xx += X[2 * k] * ux;
@@ -189,16 +192,6 @@ void LumpedMass::project(std::size_t first, std::size_t last, std::span<const do
       Yy += X[2 * k + 1] * uy;
     }
     partial_[c] << x, y, Xx, Xy, Yx, Yy;
-  };
-  const auto of_chunk = [&](std::int64_t n) {
-    const auto c = static_cast<std::size_t>(from + n);
-    const Chunk& chunk = chunks_[c];
-    if (chunk.mixed)
-      sum_up(c, [&](std::size_t k) { return part_of_[k] != chunk.part ? 0.0 : (weighted ? mass[k] : 1.0); });
-    else if (weighted)
-      sum_up(c, [&](std::size_t k) { return mass[k]; });
-    else
-      sum_up(c, [](std::size_t) { return 1.0; });
   };
   if (covers < kSerialBelow) {  // a parallel region has a cost even with one thread
     for (std::int64_t n = 0; n < count; ++n) of_chunk(n);

@@ -122,7 +122,7 @@ ContactFinder::Under ContactFinder::segment_under(const Vec2& x, EdgeIndex edge,
   const auto begin = o.segments.begin() + e.first_segment.value, end = begin + e.segments;
   const auto starts_ahead = [&](const Outlines::Segment& s) { return at < along.dot(x_[s.a]); };
   auto next = begin + 1;  // the first segment that starts ahead of the point
-  if (guess >= 0) {
+  if (guess >= 0 && guess < e.segments) {
     next += guess;
     while (next != end && !starts_ahead(*next)) ++next;
     while (next != begin + 1 && starts_ahead(*(next - 1))) --next;
