@@ -241,5 +241,31 @@ TEST(ContactFinder, segment_below_a_vertex_is_the_same_from_wherever_it_was_befo
   EXPECT_GE(apart, 7);
 }
 
+/// A vertex between two edges in line faces one edge with both: its share is the sum of theirs, also where shares are
+/// updated without sorting the pairs again.
+TEST(ContactPairs, share_of_a_vertex_between_two_edges_in_line_is_that_of_both) {
+  Two two(rectangle(-2, -1, 4, 0), {{{0, 0}, {0.6, 0}, {1, 0}, {1, 1}, {0, 1}}, {}});
+  const Outlines& o = two.hand->setup->outlines();
+  const JointSprings springs(*two.hand->setup);
+  const KnownContacts none(o);
+  ContactPairs pairs(*two.hand->setup, springs, 0.2);
+  IndexedVector<OutlineNode, Vec2> x;
+  for (const Row& node : o.nodes) x.push_back(position(node, two.hand->state.q));
+  for (int step = 0; step < 5; ++step) {
+    const auto now = pairs.update(x, none);
+    const auto middle = std::max_element(
+        now.begin(), now.end(), [](const VertexEdge& p, const VertexEdge& q) { return p.tributary < q.tributary; });
+    ASSERT_NE(middle, now.end());
+    EXPECT_NEAR(x[o.vertices[middle->vertex].node].x(), 0.6 + 0.01 * step, 1e-12);
+    EXPECT_NEAR(middle->tributary, 0.5, 1e-12) << "step " << step;
+    EXPECT_NEAR(middle->behind + middle->ahead, 1.0, 1e-12) << "step " << step;
+    ContactPairs fresh(*two.hand->setup, springs, 0.2);
+    const auto anew = fresh.update(x, none);
+    EXPECT_TRUE(std::equal(now.begin(), now.end(), anew.begin(), anew.end())) << "step " << step;
+    for (const OutlineNode i : x.indices())
+      if (o.node_body[i].index() == 1) x[i] += Vec2(0.01, 0.0);
+  }
+}
+
 }  // namespace
 }  // namespace scree::test::contact_rules_test
