@@ -45,14 +45,13 @@ void SymmetricPattern::multiply_add(double factor, std::span<const double> value
   for (std::size_t c = 0; c < static_cast<std::size_t>(n); ++c) {
     const double of_column = factor * x[c];
     double sum = 0.0;
-    for (auto k = static_cast<std::size_t>(column_start[c]); k < static_cast<std::size_t>(column_start[c + 1]); ++k) {
+    auto k = static_cast<std::size_t>(column_start[c]);
+    const auto end = static_cast<std::size_t>(column_start[c + 1]);
+    if (k < end && static_cast<std::size_t>(row[k]) == c) sum += values[k++] * x[c];  // rows are in order from c on
+    for (; k < end; ++k) {
       const auto r = static_cast<std::size_t>(row[k]);
-      if (r == c) {
-        sum += values[k] * x[c];
-      } else {
-        sum += values[k] * x[r];
-        y[r] += values[k] * of_column;
-      }
+      sum += values[k] * x[r];
+      y[r] += values[k] * of_column;
     }
     y[c] += factor * sum;
   }
