@@ -54,8 +54,8 @@ void BlockSystem::find_incidences() {
   pairs_.clear();
   for (const BlockMatrix::Pair& p : bodies_)
     if (p[1] >= 0 && (pairs_.empty() || p != pairs_.back())) pairs_.push_back(p);
-  // Round-off decides which of two coinciding vertices is a contact point: most lists that differ in their points have
-  // the same pairs of bodies.
+  // Which of two vertices that nearly coincide is a contact point changes from step to step: most lists that differ in
+  // their points have the same pairs of bodies.
   if (!matrix_.has_pattern(n, pairs_)) matrix_.set_pattern(n, pairs_);
   first_.assign(static_cast<std::size_t>(n) + 1, 0);
   for (const BlockMatrix::Pair& p : bodies_)

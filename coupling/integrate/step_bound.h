@@ -86,7 +86,7 @@ class StepBound {
   [[nodiscard]] std::string shares(const Body& b, const ExplicitDamping& damping, double h) const;
 
   const Setup* setup_;
-  std::vector<double> shortens_;                        // per joint law: squared factor of its damping on the step
+  std::vector<double> shortens_;  // per joint law: square of the factor by which damping shortens h
   IndexedVector<OutlineNode, double> node_compliance_;  // [1/kg]
   GroupLists<OutlineNode> of_node_;                     // groups, by the first node of each
   GroupLists<SegmentIndex> of_segment_;                 // of either end

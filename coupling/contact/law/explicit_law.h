@@ -29,6 +29,7 @@ inline void press_point(const JointLaw& law, const PointMotion& motion, double o
 /// Slides to Coulomb's limit, opening the joint where it dilates.   @pre k_t |stretch| is above the limit
 void slide_point(const JointLaw& law, double tan_friction, const PointMotion& motion, ContactMemory& m);
 
+/// Opens a point: no force, no stretch.
 inline void open_point(ContactMemory& m) {
   m.status = ContactStatus::open;
   m.fn = m.fd = m.ft = m.fdt = m.stretch = 0.0;

@@ -211,7 +211,7 @@ void ContactPairs::sort() {
   std::vector<Place>& place = lists_.place;
   std::size_t count = 0;
   for (const Found& f : lists_.found) count += f.pairs.size();
-  // By vertex; origin_ holds which of all that was found each one is.
+  // In the order of vertices; origin_ holds the number of each pair in the order in which they were found.
   next_.assign(lists_.first.size(), 0);
   for_found([&](const VertexEdge& p, std::size_t) { ++next_[p.vertex + 1]; });
   std::vector<std::int32_t>& next_of = next_.values();
@@ -224,7 +224,7 @@ void ContactPairs::sort() {
     pairs[at] = p;
     origin_[at] = static_cast<std::int32_t>(k);
   });
-  // next_ holds where the pairs of each vertex end now.
+  // Now next_ holds the place after the last pair of each vertex.
   std::vector<std::int32_t>& first_of = lists_.first.values();
   std::size_t kept = 0, begin = 0;
   for (std::size_t v = 0; v + 1 < first_of.size(); ++v) {
@@ -238,7 +238,8 @@ void ContactPairs::sort() {
     for (std::size_t i = begin; i < end; ++i) {
       const std::int32_t from = origin_[i];
       if (i > begin && pairs[kept - 1].edge == pairs[i].edge) {
-        // A vertex between two edges in line may face one edge with both. The first that was found sets the sums.
+        // A vertex between two edges in line may face one edge with both. In refresh() the pair found first sets
+        // the lengths, and the other adds its own.
         VertexEdge& same = pairs[kept - 1];
         same.tributary += pairs[i].tributary;
         same.behind += pairs[i].behind;
