@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 """How liveable the sources are: long functions, branches, headers, circles of folders, names of files that are not there, files
-without a test of their name or a mutant (tests/mutation).
+without a test of their name or a mutant (tests/mutation), files at the top level that do not belong there.
 
 Usage: house.py [--list] [--strict]
 A row a measure: how many, the limit, the worst. --list names all; --strict ends with 1 where a limit is passed.
@@ -19,6 +19,8 @@ import check_arrows  # noqa: E402
 
 FOLDERS = ("model", "nmm", "dda", "coupling", "io", "app", "tests")
 TESTED = ("model", "nmm", "dda", "coupling")
+TOP = {".ci", ".clang-format", ".clang-tidy", ".gitignore", "CHANGELOG.md", "CMakeLists.txt", "CMakePresets.json", "LICENSE", "README.md", "app", "cases",
+       "check", "cmake", "coupling", "dda", "demo", "docs", "io", "model", "nmm", "packages.txt", "tests", "tools"}
 LINES, LONG_SHARE, BRANCHES, HEADER = 100, 60, 25, 250
 NO_FUNCTION = re.compile(r"\s*(namespace|struct|class|enum|union|extern|template|const|constexpr|static const|inline const|inline constexpr)\b")
 BRANCH = re.compile(r"\b(if|for|while|case|catch)\b|&&|\|\||\?(?!\?)")
@@ -73,6 +75,12 @@ def untested():
             yield name
 
 
+def strays():
+    """Files and folders of the repository at the top level that are not on the list."""
+    known = subprocess.run(["git", "ls-files"], cwd=ROOT, capture_output=True, text=True, check=True).stdout.split()
+    return sorted({name.split("/")[0] for name in known} - TOP)
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--list", action="store_true")
@@ -90,6 +98,7 @@ def main():
         ("circles of folders", 0, [" ".join(c) for c in check_arrows.circles(ROOT)]),
         ("comments that name a file which is not there", 0, list(dangling())),
         ("files without a test of their name or a mutant that is killed", 0, list(untested())),
+        ("files at the top level that are not on the list", 0, strays()),
     ]
     print(f"{len(sources())} files, {len(found)} functions, {100 * short:.1f} % of at most {LONG_SHARE} lines")
     failed = short < 0.99
