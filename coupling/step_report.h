@@ -39,6 +39,20 @@ struct StepReport {
   double residual = 0.0;      // of Newton's method, over the largest force
   bool at_round_off = false;  // the residual stays above 1e-11 because of round-off
   double left_work = 0.0;     // work of the residual, as far as it is round-off, on the step's displacement [J]
+
+  /// Adds the counts of work of an earlier trial of the step.
+  void add_work(const StepReport& trial) {
+    passes += trial.passes;
+    switches += trial.switches;
+    factorisations += trial.factorisations;
+    updates += trial.updates;
+    corrections += trial.corrections;
+    block_iterations += trial.block_iterations;
+    incomplete_factors += trial.incomplete_factors;
+    local_passes += trial.local_passes;
+    fallbacks += trial.fallbacks;
+    iterations += trial.iterations;
+  }
 };
 
 }  // namespace scree::coupling

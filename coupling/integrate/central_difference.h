@@ -48,8 +48,10 @@ class CentralDifference final : public TimeIntegrator {
   void lead_ghosts(const State& state, std::span<const double> end, Tick time);
   /// Finds the contact forces f on nodes of ghosts at the end of a step in which ghosts move along straight lines;
   /// the step is not taken.
-  /// @param end  x, y per node at the end   @param f  x, y per node, zero at first
-  void foresee(const State& state, std::span<const double> end, Tick ticks_of_step, std::span<double> f);
+  /// @param end    x, y per node at the end
+  /// @param again  the ghosts alone move otherwise than in the last call, by little: contacts are those of that call
+  /// @param f      x, y per node, zero at first
+  void foresee(const State& state, std::span<const double> end, Tick ticks_of_step, bool again, std::span<double> f);
   /// Sets the weight of the internal force of slow bodies (Ghosts::slow) at the end of the next step; 0: the force is
   /// not evaluated there, and its energy stays as it was.
   void weigh_next(double weight) { slow_.next = weight; }

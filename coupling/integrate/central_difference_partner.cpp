@@ -73,9 +73,18 @@ void CentralDifference::move_ghosts(const State& state, Tick arrival, double& fa
   farthest = std::max(farthest, h * std::sqrt(2.0) * most);
 }
 
-void CentralDifference::foresee(const State& state, std::span<const double> end, Tick ticks_of_step,
+void CentralDifference::foresee(const State& state, std::span<const double> end, Tick ticks_of_step, bool again,
                                 std::span<double> f) {
   const double h = seconds(ticks_of_step);
+  for (const Chunk& c : chunks_.ghosts())
+    for (std::size_t i = c.begin; i < c.end; ++i) {
+      q_new_[i] = end[i];
+      v_half_[i] = (end[i] - state.q[i]) / h;
+    }
+  if (again) {
+    contact_.foresee_again(h, v_half_, f);
+    return;
+  }
   chunks_.for_free([&](const Chunk& c, std::size_t) {
     for (std::size_t i = c.begin; i < c.end; ++i) {
       v_half_[i] = state.v[i] + 0.5 * h * state.a[i];
@@ -84,11 +93,6 @@ void CentralDifference::foresee(const State& state, std::span<const double> end,
   });
   double farthest = 0.0;
   move_driven(state, h, seconds(state.time + ticks_of_step), farthest);
-  for (const Chunk& c : chunks_.ghosts())
-    for (std::size_t i = c.begin; i < c.end; ++i) {
-      q_new_[i] = end[i];
-      v_half_[i] = (end[i] - state.q[i]) / h;
-    }
   turn(state, h);
   contact_.foresee(h, q_new_, v_half_, f);
 }

@@ -14,6 +14,7 @@ namespace {
 
 constexpr double kBalanced = 1e-11;  // of the largest force
 constexpr int kIterations = 50;
+constexpr int kMoreIterations = 4;  // that a step may take with a kept tangent beyond the fewest
 
 }  // namespace
 
@@ -42,6 +43,11 @@ Newmark::Newmark(const Setup& setup, const StepControl& control, double detectio
     v->assign(static_cast<std::size_t>(system_.dofs()), 0.0);
   K_.assign(system_.pattern().size(), 0.0);
   A_ = K_;
+  const auto nonlinear = system_.nonlinear_dofs();
+  tangent_may_stay_ = system_.constant_charts() &&
+                      std::all_of(nonlinear.begin(), nonlinear.end(), [](double is) { return is != 0.0; }) &&
+                      options.stiffness_damping == 0.0 &&
+                      (options.factor == OpenClose::Factor::kept || options.factor == OpenClose::Factor::chosen);
 }
 
 void Newmark::enter_stage(const State& state) {
@@ -51,6 +57,8 @@ void Newmark::enter_stage(const State& state) {
   loads_ = load_vectors(*setup_, state);
   release_ = SupportRelease(*setup_, state);
   contacts_.enter(state.factored);
+  tangent_ = {};
+  start_ = {};
   reference_.assign(state.q.size(), 0.0);
   node_scratch_.assign(state.q.size(), 0.0);
   for (const Body& b : setup_->bodies()) {
@@ -63,15 +71,29 @@ void Newmark::enter_stage(const State& state) {
   system_.find_units(reference_);
 }
 
-void Newmark::resume(State& state, const IntegratorMemory&) {
+void Newmark::resume(State& state, const IntegratorMemory& memory) {
   enter_stage(state);
   list_ = &state.contacts;
   list_->find_briefs();
+  tangent_ = memory.tangent;
+  if (tangent_.step != 0) K_.swap(tangent_.stiffness);
+  start_ = memory.start;
 }
 
-IntegratorMemory Newmark::lend() { return {}; }
+IntegratorMemory Newmark::lend() {
+  IntegratorMemory out;
+  exchange(out);
+  return out;
+}
 
-void Newmark::take_back(IntegratorMemory&) {}
+void Newmark::take_back(IntegratorMemory& memory) { exchange(memory); }
+
+void Newmark::exchange(IntegratorMemory& memory) {
+  if (tangent_.step != 0) K_.swap(tangent_.stiffness);
+  std::swap(tangent_, memory.tangent);
+  std::swap(start_, memory.start);
+  if (tangent_.step != 0) K_.swap(tangent_.stiffness);
+}
 
 double Newmark::enter(State& state) {
   enter_stage(state);
@@ -172,7 +194,9 @@ void Newmark::prepare(const State& state, double h) {
     to_dofs(node_scratch_, release_load_);
     for (std::size_t i = 0; i < load_.size(); ++i) load_[i] += release_load_[i];
   }
-  energy_before_ = system_.linearise(q, Stiffness::exact, true, K_, force_before_);
+  keep_ = keep_ && !damper_.acts();
+  made_ = !keep_;
+  energy_before_ = system_.linearise(q, Stiffness::exact, true, keep_ ? std::span<double>{} : K_, force_before_);
   // Inertia of the known terms: M (2 v/h), or M (4 v/h + a).
   if (trapezoidal()) system_.accelerations(q, state.a, acceleration_);
   for (std::size_t i = 0; i < rhs_.size(); ++i)
@@ -377,34 +401,6 @@ void Newmark::move_to_iterate(const State& state) {
   system_.retract(d_, rate_, interface_.acts(), q_new_, v_new_);
 }
 
-void Newmark::begin_interface_iteration(const State& state, double h) {
-  // The iteration starts from the motion of the last step. Where interface constraints act it starts from rest: gaps
-  // that are left at the constraints add up over the steps, and iterations from a farther start end with smaller ones.
-  const bool goes_on = !interface_.constrained();
-  system_.accelerations(state.q, state.a, acceleration_);
-  for (std::size_t i = 0; i < d_.size(); ++i) {
-    d_[i] = h * system_.rate()[i];
-    if (goes_on) d_[i] += 0.5 * h * h * acceleration_[i];
-  }
-  move_to_iterate(state);
-  interface_.begin(iterate(state));
-  if (!system_.nonlinear()) return;
-  if (goes_on)
-    (void)system_.linearise(q_new_, Stiffness::exact, false, {}, force_);
-  else
-    std::fill(d_.begin(), d_.end(), 0.0);
-}
-
-bool Newmark::evaluate_interface_force(const State& state, StepReport& report) {
-  const StepReport found = interface_.evaluate(iterate(state));
-  if (found.status == StepReport::Status::ok) return true;
-  report.status = found.status;
-  report.suggested = found.suggested;
-  report.body = found.body;
-  report.cause = found.cause;
-  return false;
-}
-
 void Newmark::begin_balance(const State& state, double h, NewtonLoop& loop) {
   find_step_springs(state, h);
   bolts_.begin(state, driven_move_, springs_);
@@ -413,6 +409,8 @@ void Newmark::begin_balance(const State& state, double h, NewtonLoop& loop) {
   for (std::size_t i = 0; i < d_.size(); ++i) d_[i] = system_.nonlinear() ? 0.0 : h * system_.rate()[i];
   force_ = force_before_;
   if (interface_.acts()) begin_interface_iteration(state, h);
+  if (keep_) contacts_.keep_matrix();
+  loop.fresh = !keep_;
   loop.iterative = system_.nonlinear() || spares_affine() || interface_.acts() || bolts_.any();
   if (bolts_.any()) {
     (void)bolts_.evaluate(d_);
@@ -442,7 +440,7 @@ bool Newmark::solve_iterate(const State& state, double h, NewtonLoop& loop, Step
     system_.retract(loop.moved, rate_, false, q_new_, v_new_);
     (void)system_.linearise(q_new_, loop.kind, false, K_, force_);
     linear_system(h);
-    loop.fresh = true;
+    loop.fresh = made_ = true;
     for (std::size_t i = 0; i < d_.size(); ++i) d_[i] = loop.moved[i];
     (void)bolts_.evaluate(d_);
   }
@@ -496,7 +494,7 @@ void Newmark::prepare_iterate(const State& state, double h, NewtonLoop& loop) {
   if (system_.nonlinear() && loop.left > 0.05 * loop.last && !loop.at_round_off) {
     (void)system_.linearise(q_new_, loop.kind, false, K_, force_);
     linear_system(h);
-    loop.fresh = true;
+    loop.fresh = made_ = true;
   }
   if (spares_affine()) {
     std::fill(loop.affine.begin(), loop.affine.end(), 0.0);
@@ -512,7 +510,7 @@ bool Newmark::balance(const State& state, double h, StepReport& report) {
   for (;;) {
     if (!solve_iterate(state, h, loop, report)) return false;
     if (const Settled settled = settle(state, loop, report); settled != Settled::no) return settled == Settled::yes;
-    if (report.iterations >= kIterations ||
+    if (report.iterations >= (made_ ? kIterations : tangent_.least + kMoreIterations) ||
         (report.iterations > 8 && loop.left > 1e3 * loop.last && loop.left > kBalanced * loop.largest)) {
       describe_imbalance(std::max(report.residual, loop.apart / loop.largest), report);
       return false;
@@ -568,12 +566,20 @@ bool Newmark::reach(const State& state, Tick ticks_of_step, StepReport& report) 
 StepReport Newmark::step(State& state, Tick ticks_of_step) {
   StepReport report;
   const double h = seconds(ticks_of_step);
+  keep_ = keeps_tangent(ticks_of_step);
   prepare(state, h);
-  if (!balance(state, h, report)) return report;
+  if (!balance(state, h, report)) {
+    tangent_.step = 0;
+    return report;
+  }
   const LeftOver left = left_over(state);
   report.left_work = left.work;
-  if (!reach(state, ticks_of_step, report)) return report;
+  if (!reach(state, ticks_of_step, report)) {
+    tangent_.step = 0;
+    return report;
+  }
   if (audit_ != nullptr) contacts_.check(d_, left.force, *audit_);
+  if (interface_.acts()) keep_for_next_step(ticks_of_step, report.iterations);
   accept(state, ticks_of_step);
   if (audit_ != nullptr) audit_geometry(*setup_, *list_, state.q, finder_.detection(), *audit_);
   return report;

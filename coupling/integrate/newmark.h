@@ -63,6 +63,10 @@ class Newmark final : public TimeIntegrator {
 
   /// Interface force that acts in every step from now on; null: none. It must outlive the steps.
   void set_interface(InterfaceForce* force) { interface_.set(force); }
+  /// True if the next step will use the tangent of an earlier one: InterfaceForce::springs() must be that one's too.
+  [[nodiscard]] bool keeps_tangent(Tick ticks_of_step) const {
+    return tangent_.step == ticks_of_step && list_->points.empty();
+  }
   /// State::contacts of the entered state.
   [[nodiscard]] const ContactList& list() const { return *list_; }
   /// See ExplicitContact.
@@ -98,11 +102,15 @@ class Newmark final : public TimeIntegrator {
   [[nodiscard]] bool velocity_is_physical() const { return !trapezoidal() && options_.dynamics == 1.0; }
   void find_sliding(const State& state, double h);
   void find_step_springs(const State& state, double h);
-  void begin_interface_iteration(const State& state, double h);
   void move_to_iterate(const State& state);
+  // newmark_interface.cpp: steps with an interface force
+  void begin_interface_iteration(const State& state, double h);
   [[nodiscard]] InterfaceIteration::Iterate iterate(const State& state) const { return {state.q, d_, q_new_}; }
   /// As InterfaceIteration::evaluate().   @return false: the report contains the reason
   [[nodiscard]] bool evaluate_interface_force(const State& state, StepReport& report);
+  /// Before accept(): what the next step takes from this one, which took so many iterations.
+  void keep_for_next_step(Tick ticks_of_step, int iterations);
+  void exchange(IntegratorMemory& memory);
   void add_affine_damping(const State& state, std::span<const double> rate, std::span<double> out);
   /// Newton's iteration of one step.
   struct NewtonLoop {
@@ -202,6 +210,12 @@ class Newmark final : public TimeIntegrator {
   Damping damped_before_, damped_after_;
   // One value per entry of the pattern.
   std::vector<double> K_, C_, A_;
+  IntegratorMemory::Tangent tangent_;  // its stiffness is K_
+  bool tangent_may_stay_ = false;      // at least while nothing but bodies, supports and the interface force acts
+  bool keep_ = false;                  // the step uses the tangent of an earlier one
+  bool made_ = false;                  // a tangent was made in this step
+  IntegratorMemory::Start start_;
+  std::vector<double> plain_start_;  // start values of the step without what the last one lacked
   double energy_before_ = 0.0, energy_after_ = 0.0;  // elastic, of the bodies whose force is not linear
   std::vector<double> q_new_, v_new_, node_scratch_, node_scratch2_, node_scratch3_;
 };

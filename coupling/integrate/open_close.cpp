@@ -88,7 +88,7 @@ void OpenClose::begin(const ContactList& list, std::span<const double> q, std::s
   list_ = &list;
   springs_ = &springs;
   damping_ = damping;
-  current_ = updated_ = false;
+  current_ = updated_ = same_matrix_ = false;
   predict_ = allowed_;
   corrections_left_ = kCorrectionsPerFactor;
   counts_ = {};
@@ -150,12 +150,12 @@ bool OpenClose::factorise(bool fresh, StepReport& report) {
     if (take_blocks(fresh, report)) return true;
     leave_blocks(report);
   }
-  if (keep_ || (current_ && !fresh && (k_ == factored_k_ || update(report)))) return true;
+  if (keep_ || (current_ && !fresh && (same_matrix_ || k_ == factored_k_ || update(report)))) return true;
   return factorise_anew(report);
 }
 
 bool OpenClose::factorise_anew(StepReport& report) {
-  keep_ = updated_ = false;
+  keep_ = updated_ = same_matrix_ = false;
   current_ = cholesky_.factorise(A_, rows_, k_);
   made_ = true;
   ++report.factorisations;

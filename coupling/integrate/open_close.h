@@ -52,6 +52,8 @@ class OpenClose {
   /// @param damping  terms of sliding blocks outside the pattern; must outlive the step
   void begin(const ContactList& list, std::span<const double> q, std::span<const Vec2> driven_move,
              const StepSprings& springs, double dashpot = 0.0, std::span<const LowRank> damping = {});
+  /// After begin(): matrix and springs' rows are those of the last factor, and there are no contact points.
+  void keep_matrix() { current_ = same_matrix_ = cholesky_.factored(); }
   /// Takes over the springs' rows again, on the same unknowns: their coefficients have changed.
   void change_springs() {
     for (std::size_t i = 0; i < springs_->size(); ++i) rows_.take_row(i, springs_->rows[i]);
@@ -175,6 +177,7 @@ class OpenClose {
   std::vector<Pass> passes_;
   bool predict_ = false;  // the first solve() of the step has not begun yet
   bool current_ = false;  // the factor is that of the step's matrix, with updates
+  bool same_matrix_ = false;  // keep_matrix() was called in the step
   bool updated_ = false;
   bool exact_ = false;            // the pass is to solve to round-off: not before states seem to have settled
   bool rough_ = false;            // the present solution is less accurate

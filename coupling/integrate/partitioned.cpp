@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <utility>
 
 #include "model/dense_algebra.h"
 
@@ -225,6 +226,7 @@ void Partitioned::resume(State& state, const IntegratorMemory& memory) {
   base_ = memory.ledgers[2];
   has_base_ = true;
   bound_ = memory.step_bound;
+  springs_ = memory.springs;
 }
 
 IntegratorMemory Partitioned::lend() {
@@ -233,6 +235,7 @@ IntegratorMemory Partitioned::lend() {
   out.ledgers = {explicit_side_.state.ledger, implicit_side_.state.ledger, base_};
   out.step_bound = bound_;
   out.apart = apart_;
+  out.springs = springs_;
   out.sides[0] = explicit_->lend();
   out.sides[1] = implicit_->lend();
   out.sides[0].points.swap(explicit_side_.state.contacts.points);
@@ -275,10 +278,10 @@ void Partitioned::join(State& state) {
   state.ledger = Ledger::joined(base_, e.ledger, i.ledger);
 }
 
-void Partitioned::find_springs() {
+void Partitioned::find_springs(bool keep) {
   // Springs of closed contacts with an implicit body. They stretch linearly to the displacement u, so that the
   // mean over the step has half of it; their dashpots have the constant rate u/H.
-  springs_.clear();
+  if (!keep) springs_.clear();
   stiffness_ = 0.0;
   const double H = seconds(step_);
   double turns_back = 0.0;  // times H^2/2 it bounds the ratio of successive changes of u in the iteration
@@ -290,25 +293,26 @@ void Partitioned::find_springs() {
     const ContactMemory& m = list.memory[i];
     if (m.status == ContactStatus::open) continue;
     const auto is_ghost = [&](OutlineNode node) { return setup.on_ghost(o.nodes[node]); };
+    if (!is_ghost(p.node[0]) && !is_ghost(p.node[1]) && !is_ghost(p.node[2])) continue;
     const auto add = [&](const ContactRow& row, double k, double c) {
       Spring s;
       s.k = 0.5 * k + c / H;
+      stiffness_ += s.k;
+      if (keep) return;
       for (std::size_t n = 0; n < 3; ++n) {
         if (!is_ghost(p.node[n])) continue;
         s.node[s.count] = p.node[n];
         s.direction[s.count++] = row[n];
         turns_back += s.k * compliance_[p.node[n]];
       }
-      if (s.count == 0) return;
       springs_.push_back(s);
-      stiffness_ += s.k;
     };
     add(gap_row(p.at), m.kn, p.cn);
     if (m.status == ContactStatus::stick) add(stretch_row(p.at, m.anchor), m.kt, p.ct);
   }
   // Short steps: bodies hardly respond, and iterations without the springs converge as fast.
   constexpr double kHardly = 1e-3;
-  if (interface_constraints_.empty() && 0.5 * H * H * turns_back < kHardly) springs_.clear();
+  if (!keep && interface_constraints_.empty() && 0.5 * H * H * turns_back < kHardly) springs_.clear();
 }
 
 void Partitioned::rewind() {
@@ -327,7 +331,7 @@ bool Partitioned::foresee(std::span<const double> end, std::span<double> force) 
   if (gone_) rewind();
   copy(implicit_runs_, &Run::of_implicit, end, &Run::of_explicit, end_);
   ahead_.assign(end_.size(), 0.0);
-  explicit_->foresee(explicit_side_.state, end_, step_, ahead_);
+  explicit_->foresee(explicit_side_.state, end_, step_, std::exchange(foreseen_, true), ahead_);
   std::fill(sum_.begin(), sum_.end(), 0.0);
   add_to_ghosts(0.5, explicit_->forces());
   add_to_ghosts(0.5, ahead_);
@@ -384,19 +388,28 @@ StepReport Partitioned::step(State& state, Tick ticks_of_step) {
   substeps_ = static_cast<std::int32_t>(std::min<Tick>(substeps_, ticks_of_step));
   step_ = ticks_of_step;
   repeats_ = 0;
-  gone_ = false;
+  gone_ = foreseen_ = false;
   rollback_.keep(*explicit_, e);
   end_ = e.q;
   sum_.assign(e.q.size(), 0.0);
   copy(explicit_runs_, &Run::of_explicit, e.q, &Run::of_implicit, i.q);
   present_.assign(i.q.size(), 0.0);
   copy(implicit_runs_, &Run::of_explicit, explicit_->forces(), &Run::of_implicit, present_);
-  find_springs();
+  const bool keeps = implicit_->keeps_tangent(ticks_of_step);
+  find_springs(keeps);
   // By their own mass nodes move by H^2/2 per unit of acceleration; the part that waves have reached by then is slower.
   const double scale = std::sqrt(2.0 * substeps_) / H;
   for (std::size_t k = 0; k < constraint_mass_.size(); ++k) constraint_factor_[k] = scale * constraint_mass_[k];
   if (audit_ != nullptr) implicit_->watch(audit_);
   StepReport report = implicit_->step(i, ticks_of_step);
+  if (keeps && report.status != StepReport::Status::ok && report.status != StepReport::Status::given_up) {
+    // The tangent of an earlier step may be too far from this one's.
+    if (gone_) rewind();
+    find_springs(false);
+    const StepReport first = report;
+    report = implicit_->step(i, ticks_of_step);
+    report.add_work(first);
+  }
   report.explicit_steps = static_cast<std::int64_t>(repeats_) * substeps_;
   if (report.status != StepReport::Status::ok) {
     if (gone_) rewind();

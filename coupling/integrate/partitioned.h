@@ -81,7 +81,8 @@ class Partitioned final : public TimeIntegrator, private InterfaceForce {
   void open_ledgers();
   /// Copies the results of both sides into the state.
   void join(State& state);
-  void find_springs();
+  /// Finds the stiffness of closed contacts with ghosts, and the springs.   @param keep  the springs stay as they are
+  void find_springs(bool keep);
   void rewind();
 
   [[nodiscard]] std::span<const Spring> springs() const override { return springs_; }
@@ -122,7 +123,8 @@ class Partitioned final : public TimeIntegrator, private InterfaceForce {
   Tick step_ = 0;
   std::int32_t substeps_ = 0;
   int repeats_ = 0;
-  bool gone_ = false;  // the explicit side is at the end of the step
+  bool gone_ = false;      // the explicit side is at the end of the step
+  bool foreseen_ = false;  // the forces of the step have been foreseen
   StepRollback rollback_;
 };
 

@@ -6,6 +6,7 @@
 
 #include "coupling/bodies/setup.h"
 #include "coupling/contact/audit/audit.h"
+#include "coupling/interface/interface_force.h"
 #include "coupling/plan.h"
 #include "coupling/state.h"
 #include "coupling/step_report.h"
@@ -33,6 +34,23 @@ struct IntegratorMemory {
   double step_bound = 0.0;  // of the substeps [s]
   std::vector<double>
       apart;  // nodes of interface constraints at the start of the stage: implicit less explicit position [m]
+
+  std::vector<InterfaceForce::Spring> springs;  // partitioned: of the tangent
+  /// What the implicit side of partitioned steps keeps for the next one: Newmark.
+  struct Tangent {
+    Tick step = 0;                  // length of the steps that it is for; 0: there is none
+    std::int32_t least = 0;         // fewest iterations of a step with it
+    std::int32_t excess = 0;        // sum over its steps of the iterations beyond `least`
+    std::vector<double> stiffness;  // of the bodies, on the pattern of the unknowns
+  };
+  Tangent tangent;
+  /// Start values of the iteration of those steps: what they lacked in the last step, and the part of it to add.
+  struct Start {
+    Tick step = 0;  // length of that step; 0: there is none
+    double part = 0.0;
+    std::vector<double> lacked;  // per unknown
+  };
+  Start start;
 
   /// As State::visit().
   template <class Visitor>
@@ -100,6 +118,15 @@ void IntegratorMemory::visit(Visitor&& see) const {
   for (const Ledger& ledger : ledgers) ledger.visit(see);
   see("step_bound", step_bound);
   see("apart", apart);
+  see.size("springs", springs);
+  for (const InterfaceForce::Spring& s : springs) s.visit(see);
+  see("tangent.step", tangent.step);
+  see("tangent.least", tangent.least);
+  see("tangent.excess", tangent.excess);
+  see("tangent.stiffness", tangent.stiffness);
+  see("start.step", start.step);
+  see("start.part", start.part);
+  see("start.lacked", start.lacked);
 }
 
 }  // namespace scree::coupling

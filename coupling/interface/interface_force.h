@@ -22,8 +22,16 @@ class InterfaceForce {
   struct Spring {
     std::size_t count = 0;
     std::array<OutlineNode, 3> node{};
-    std::array<Vec2, 3> direction;
+    std::array<Vec2, 3> direction{Vec2::Zero(), Vec2::Zero(), Vec2::Zero()};
     double k = 0.0;  // [N/m]
+    /// As State::visit().
+    template <class Visitor>
+    void visit(Visitor&& see) const {
+      see("spring.count", count);
+      for (const OutlineNode& n : node) see("spring.node", n.value);
+      for (const Vec2& d : direction) see("spring.direction", d);
+      see("spring.k", k);
+    }
   };
   /// Approximate tangent of the mean force with respect to the end of the path, for Newton's method. Empty where the
   /// iteration converges without it.

@@ -81,19 +81,24 @@ void ImplicitSystem::find_units(std::span<const double> reference) {
 }
 
 void ImplicitSystem::compute_masses(std::span<const double> q, std::span<const double> v) {
-  std::fill(mass_.begin(), mass_.end(), 0.0);
   for (std::size_t i = 0; i < first_dof_.size(); ++i) {
     if (!takes(i, true)) continue;
     const Body& b = setup_->bodies()[i];
-    const auto p = static_cast<std::size_t>(b.pool);
+    const auto p = static_cast<std::size_t>(b.pool), first = static_cast<std::size_t>(first_dof_[i]);
     const Pool& pool = setup_->pool_of(b);
+    const auto n = static_cast<std::size_t>(pool.dofs(b.index));
+    pool.rates(b.index, setup_->part(q, p), setup_->part(v, p), std::span(rate_).subspan(first, n));
+    if (has_masses_ && pool.constant_chart(b.index)) continue;
     scratch_.resize(first_value_[i + 1] - first_value_[i]);
     pool.element_masses(b.index, setup_->part(q, p), scratch_);
+    clear_columns(first, n, mass_);
     scatter(i, scratch_, mass_);
-    pool.rates(b.index, setup_->part(q, p), setup_->part(v, p),
-               std::span(rate_).subspan(static_cast<std::size_t>(first_dof_[i]),
-                                        static_cast<std::size_t>(pool.dofs(b.index))));
   }
+  has_masses_ = true;
+}
+
+void ImplicitSystem::clear_columns(std::size_t first, std::size_t n, std::span<double> values) const {
+  std::fill(values.begin() + pattern_.column_start[first], values.begin() + pattern_.column_start[first + n], 0.0);
 }
 
 double ImplicitSystem::linearise(std::span<const double> q, Stiffness kind, bool all, std::span<double> K,
@@ -108,8 +113,7 @@ double ImplicitSystem::linearise(std::span<const double> q, Stiffness kind, bool
     if (!K.empty()) {
       scratch_.resize(first_value_[i + 1] - first_value_[i]);
       values = scratch_;
-      // Bodies share no unknown: this one's columns hold nothing else.
-      std::fill(K.begin() + pattern_.column_start[first], K.begin() + pattern_.column_start[first + n], 0.0);
+      clear_columns(first, n, K);
     }
     const double stored = pool.linearise(b.index, setup_->part(q, static_cast<std::size_t>(b.pool)), kind, values,
                                          force.subspan(first, n));

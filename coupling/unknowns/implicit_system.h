@@ -77,6 +77,8 @@ class ImplicitSystem {
     return first_dof_[body] >= 0 && (all || nonlinear_body_[body] != 0);
   }
   void scatter(std::size_t body, std::span<const double> values, std::span<double> out) const;
+  /// Sets the numbers of a body's columns to zero: bodies share no unknown, and its columns hold nothing else.
+  void clear_columns(std::size_t first, std::size_t n, std::span<double> values) const;
 
   const Setup* setup_;
   std::vector<std::int32_t> first_dof_;   // per body
@@ -84,6 +86,7 @@ class ImplicitSystem {
   std::vector<std::size_t> first_value_;  // per body: into place_
   std::int32_t dofs_ = 0;
   bool nonlinear_ = false, constant_charts_ = true, affine_ = true;
+  bool has_masses_ = false;  // those of bodies with constant charts stay
   SymmetricPattern pattern_;
   std::vector<std::int32_t> place_;  // of every number of the lower triangles, body after body
   std::vector<double> mass_, rate_, nonlinear_dof_, unit_, scratch_;

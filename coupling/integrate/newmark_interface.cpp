@@ -1,0 +1,70 @@
+// Implicit steps with an interface force: where their iteration starts, and the tangent that they keep.
+#include <algorithm>
+
+#include "coupling/integrate/newmark.h"
+
+namespace scree::coupling {
+
+void Newmark::begin_interface_iteration(const State& state, double h) {
+  // The iteration starts from the motion of the last step. Where interface constraints act it starts from rest: gaps
+  // that are left at the constraints add up over the steps, and iterations from a farther start end with smaller ones.
+  const bool goes_on = !interface_.constrained();
+  system_.accelerations(state.q, state.a, acceleration_);
+  for (std::size_t i = 0; i < d_.size(); ++i) {
+    d_[i] = h * system_.rate()[i];
+    if (goes_on) d_[i] += 0.5 * h * h * acceleration_[i];
+  }
+  plain_start_ = d_;
+  if (goes_on && start_.step != 0 && seconds(start_.step) == h)
+    for (std::size_t i = 0; i < d_.size(); ++i) d_[i] += start_.part * start_.lacked[i];
+  move_to_iterate(state);
+  interface_.begin(iterate(state));
+  if (!system_.nonlinear()) return;
+  if (goes_on)
+    (void)system_.linearise(q_new_, Stiffness::exact, false, {}, force_);
+  else
+    std::fill(d_.begin(), d_.end(), 0.0);
+}
+
+bool Newmark::evaluate_interface_force(const State& state, StepReport& report) {
+  const StepReport found = interface_.evaluate(iterate(state));
+  if (found.status == StepReport::Status::ok) return true;
+  report.status = found.status;
+  report.suggested = found.suggested;
+  report.body = found.body;
+  report.cause = found.cause;
+  return false;
+}
+
+void Newmark::keep_for_next_step(Tick ticks_of_step, int iterations) {
+  // An iteration costs about half of a new tangent with its factor.
+  constexpr std::int32_t kPays = 2;
+  const bool may_stay = tangent_may_stay_ && !interface_.constrained() && !damper_.acts() && list_->points.empty() &&
+                        dashpots_.empty() && !bolts_.any();
+  if (!may_stay) {
+    tangent_.step = 0;
+  } else if (made_) {
+    tangent_.step = ticks_of_step;
+    tangent_.least = iterations;
+    tangent_.excess = 0;
+  } else {
+    tangent_.excess += std::max(0, iterations - tangent_.least);
+    tangent_.least = std::min(tangent_.least, iterations);
+    if (tangent_.excess >= kPays) tangent_.step = 0;
+  }
+
+  // Of what the last step lacked, the part that would have been best in this one.
+  const bool follows = start_.step == ticks_of_step;
+  start_.step = ticks_of_step;
+  start_.lacked.resize(d_.size());
+  double along = 0.0, square = 0.0;
+  for (std::size_t i = 0; i < d_.size(); ++i) {
+    const double lacks = d_[i] - plain_start_[i], weight = system_.unit()[i] * system_.unit()[i];
+    along += weight * lacks * start_.lacked[i];
+    square += weight * start_.lacked[i] * start_.lacked[i];
+    start_.lacked[i] = lacks;
+  }
+  start_.part = follows && square > 0.0 ? std::clamp(along / square, 0.0, 1.0) : 0.0;
+}
+
+}  // namespace scree::coupling
