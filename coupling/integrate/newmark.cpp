@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "coupling/linear/vectors.h"
 
@@ -59,6 +60,8 @@ void Newmark::enter_stage(const State& state) {
   contacts_.enter(state.factored);
   tangent_ = {};
   start_ = {};
+  has_end_ = false;
+  clear_ = 0.0;
   reference_.assign(state.q.size(), 0.0);
   node_scratch_.assign(state.q.size(), 0.0);
   for (const Body& b : setup_->bodies()) {
@@ -196,7 +199,12 @@ void Newmark::prepare(const State& state, double h) {
   }
   keep_ = keep_ && !damper_.acts();
   made_ = !keep_;
-  energy_before_ = system_.linearise(q, Stiffness::exact, true, keep_ ? std::span<double>{} : K_, force_before_);
+  if (keep_ && has_end_) {  // the last step ended with them
+    force_before_ = force_after_;
+    energy_before_ = energy_after_;
+  } else {
+    energy_before_ = system_.linearise(q, Stiffness::exact, true, keep_ ? std::span<double>{} : K_, force_before_);
+  }
   // Inertia of the known terms: M (2 v/h), or M (4 v/h + a).
   if (trapezoidal()) system_.accelerations(q, state.a, acceleration_);
   for (std::size_t i = 0; i < rhs_.size(); ++i)
@@ -257,6 +265,14 @@ void Newmark::add_affine_damping(const State& state, std::span<const double> rat
 }
 
 void Newmark::find_step_springs(const State& state, double h) {
+  const bool was_still = std::exchange(still_, std::all_of(driven_move_.begin(), driven_move_.end(),
+                                                           [](const Vec2& move) { return move.isZero(0.0); }));
+  if (keep_ && has_end_ && was_still && still_) {  // as in the last step, but for the elongation of supports
+    std::size_t k = 0;
+    for (const PointSpring& s : supports_)
+      for (int d = 0; d < 2; ++d) springs_.at[k++] = s.axes.col(d).dot(position(s.row, state.q) - s.anchor);
+    return;
+  }
   springs_.clear();
   const auto begin = [&](double k, double at) {
     springs_.rows.begin_row();
@@ -537,7 +553,8 @@ bool Newmark::reach(const State& state, Tick ticks_of_step, StepReport& report) 
   if (interface_.acts()) interface_.kick(h, rate_);
   system_.retract(d_, rate_, true, q_new_, v_new_);
   setup_->prescribe(seconds(state.time + ticks_of_step), q_new_, v_new_);
-  double farthest = 0.0;
+  double& farthest = farthest_;
+  farthest = 0.0;
   const Outlines& o = setup_->outlines();
   for (const OutlineNode k : o.nodes.indices()) {
     const double u = (position(o.nodes[k], q_new_) - position(o.nodes[k], state.q)).norm();
@@ -568,7 +585,9 @@ StepReport Newmark::step(State& state, Tick ticks_of_step) {
   const double h = seconds(ticks_of_step);
   keep_ = keeps_tangent(ticks_of_step);
   prepare(state, h);
-  if (!balance(state, h, report)) {
+  const bool balanced = balance(state, h, report);
+  has_end_ = false;
+  if (!balanced) {
     tangent_.step = 0;
     return report;
   }

@@ -214,6 +214,10 @@ class Newmark final : public TimeIntegrator {
   bool tangent_may_stay_ = false;      // at least while nothing but bodies, supports and the interface force acts
   bool keep_ = false;                  // the step uses the tangent of an earlier one
   bool made_ = false;                  // a tangent was made in this step
+  bool has_end_ = false;               // force_after_ and springs_ are those of the last step, which was accepted
+  bool still_ = false;                 // no driven body moves in the step
+  double farthest_ = 0.0;              // displacement of an outline node in the step [m]
+  double clear_ = 0.0;  // while there are no points: how far nodes may still move before there can be one [m]
   IntegratorMemory::Start start_;
   std::vector<double> plain_start_;  // start values of the step without what the last one lacked
   double energy_before_ = 0.0, energy_after_ = 0.0;  // elastic, of the bodies whose force is not linear

@@ -145,10 +145,15 @@ std::vector<double> Newmark::remember_contacts(const State& state) {
 }
 
 void Newmark::move_points(std::span<const double> q) {
-  finder_.index(*list_, !always_anew_);
+  const bool was_clear = clear_ > 0.0;
+  clear_ -= farthest_;
+  if (clear_ > 0.0 && !always_anew_) return;  // there are no points and there will be none
+  finder_.index(*list_, !always_anew_ && !was_clear);
   if (!finder_.keeps(q, *list_) || list_->points.empty() || always_anew_) {
+    const bool none = list_->points.empty();
     std::swap(*list_, before_);
     finder_.find_again(before_, *list_);
+    clear_ = none && list_->points.empty() ? finder_.clearance() : 0.0;
     return;
   }
   ++steps_in_place_;

@@ -41,6 +41,7 @@ void Newmark::keep_for_next_step(Tick ticks_of_step, int iterations) {
   constexpr std::int32_t kPays = 2;
   const bool may_stay = tangent_may_stay_ && !interface_.constrained() && !damper_.acts() && list_->points.empty() &&
                         dashpots_.empty() && !bolts_.any();
+  has_end_ = may_stay;
   if (!may_stay) {
     tangent_.step = 0;
   } else if (made_) {
