@@ -16,7 +16,8 @@ void Newmark::begin_interface_iteration(const State& state, double h) {
   }
   plain_start_ = d_;
   if (goes_on && start_.step != 0 && seconds(start_.step) == h)
-    for (std::size_t i = 0; i < d_.size(); ++i) d_[i] += start_.part * start_.lacked[i];
+    for (std::size_t i = 0; i < d_.size(); ++i)
+      d_[i] += start_.part[0] * start_.lacked[0][i] + start_.part[1] * start_.lacked[1][i];
   move_to_iterate(state);
   interface_.begin(iterate(state));
   if (!system_.nonlinear()) return;
@@ -54,18 +55,29 @@ void Newmark::keep_for_next_step(Tick ticks_of_step, int iterations) {
     if (tangent_.excess >= kPays) tangent_.step = 0;
   }
 
-  // Of what the last step lacked, the part that would have been best in this one.
-  const bool follows = start_.step == ticks_of_step;
+  if (interface_.constrained()) return;  // such steps start from rest
+  // What this step lacked, in terms of what the last two lacked: the best combination would have been that with the
+  // least difference. The next step begins with the same combination.
+  auto& [last, before] = start_.lacked;
+  if (start_.step != ticks_of_step) last.clear();
   start_.step = ticks_of_step;
-  start_.lacked.resize(d_.size());
-  double along = 0.0, square = 0.0;
+  last.resize(d_.size(), 0.0);
+  before.resize(d_.size(), 0.0);
+  Mat2 products = Mat2::Zero();
+  Vec2 right = Vec2::Zero();
   for (std::size_t i = 0; i < d_.size(); ++i) {
-    const double lacks = d_[i] - plain_start_[i], weight = system_.unit()[i] * system_.unit()[i];
-    along += weight * lacks * start_.lacked[i];
-    square += weight * start_.lacked[i] * start_.lacked[i];
-    start_.lacked[i] = lacks;
+    const double unit = system_.unit()[i];
+    const Vec2 known = unit * Vec2(last[i], before[i]);
+    products += known * known.transpose();
+    right += unit * (d_[i] - plain_start_[i]) * known;
+    before[i] = d_[i] - plain_start_[i];
   }
-  start_.part = follows && square > 0.0 ? std::clamp(along / square, 0.0, 1.0) : 0.0;
+  before.swap(last);
+  const double determinant = products.determinant();
+  const Vec2 part = determinant > 1e-6 * products(0, 0) * products(1, 1) ? Vec2(products.inverse() * right)
+                    : products(0, 0) > 0.0                               ? Vec2(right.x() / products(0, 0), 0.0)
+                                                                         : Vec2(0.0, 0.0);
+  start_.part = {part.x(), part.y()};
 }
 
 }  // namespace scree::coupling

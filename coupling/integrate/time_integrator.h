@@ -1,6 +1,7 @@
 // A time integration scheme.
 #pragma once
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -44,11 +45,12 @@ struct IntegratorMemory {
     std::vector<double> stiffness;  // of the bodies, on the pattern of the unknowns
   };
   Tangent tangent;
-  /// Start values of the iteration of those steps: what they lacked in the last step, and the part of it to add.
+  /// Start values of the iteration of those steps: what they lacked in the last step and the one before, and how much
+  /// of either to add.
   struct Start {
-    Tick step = 0;  // length of that step; 0: there is none
-    double part = 0.0;
-    std::vector<double> lacked;  // per unknown
+    Tick step = 0;  // length of those steps; 0: there are none
+    std::array<double, 2> part{};
+    std::array<std::vector<double>, 2> lacked;  // per unknown; the last step first
   };
   Start start;
 
@@ -126,7 +128,7 @@ void IntegratorMemory::visit(Visitor&& see) const {
   see("tangent.stiffness", tangent.stiffness);
   see("start.step", start.step);
   see("start.part", start.part);
-  see("start.lacked", start.lacked);
+  for (const std::vector<double>& lacked : start.lacked) see("start.lacked", lacked);
 }
 
 }  // namespace scree::coupling
