@@ -40,7 +40,7 @@ struct StepReport {
   bool at_round_off = false;  // the residual stays above 1e-11 because of round-off
   double left_work = 0.0;     // work of the residual, as far as it is round-off, on the step's displacement [J]
 
-  /// Adds the counts of work of an earlier trial of the step.
+  /// Adds the counts of work of an earlier trial of the step; `iterations` still says how this one converged.
   void add_work(const StepReport& trial) {
     passes += trial.passes;
     switches += trial.switches;
@@ -51,7 +51,6 @@ struct StepReport {
     incomplete_factors += trial.incomplete_factors;
     local_passes += trial.local_passes;
     fallbacks += trial.fallbacks;
-    iterations += trial.iterations;
   }
 };
 

@@ -193,32 +193,19 @@ void ExplicitContact::for_points(Ledger& ledger, OfRange&& of_range) {
 void ExplicitContact::foresee(double h, std::span<const double> q, std::span<const double> v, std::span<double> f) {
   if (!std::exchange(indexed_, true)) finder_.index(*list_);
   finder_.find_of_ghosts(q, ahead_);
-  ahead_left_ = ahead_.memory;
-  ahead_at_.clear();
-  for (const ContactPoint& p : ahead_.points) ahead_at_.push_back(p.at);
+  ahead_found_ = ahead_.memory;
   set_velocities(v, v_);
-  ahead_v_ = v_;
   respond(h, ahead_);
   (void)finder_.adopt_kinds(ahead_);
   add(ahead_, f);
 }
 
-void ExplicitContact::foresee_again(double h, std::span<const double> v, std::span<double> f) {
-  const Outlines& o = setup_->outlines();
-  v_ = ahead_v_;
-  for (const OutlineNode n : o.nodes.indices())
-    if (ghost_[n] != 0 && rests_[n] == 0) v_[n] = position(o.nodes[n], v);
-  for (std::size_t i = 0; i < ahead_.points.size(); ++i) {
-    ContactPoint& p = ahead_.points[i];
-    ContactMemory& m = ahead_.memory[i];
-    m = ahead_left_[i];
-    p.at = ahead_at_[i];
-    const auto change = [&](const ContactRow& row) { return h * (row_rate(p, row, v_) - row_rate(p, row, ahead_v_)); };
-    const double gap = change(gap_row(p.at)), foot = change(stretch_row(p.at, m.anchor));
-    p.at.gap += gap;
-    p.at.xi += foot / p.at.length;
-    m.gap += gap;
-  }
+void ExplicitContact::foresee_again(double h, std::span<const double> q, std::span<const double> v,
+                                    std::span<double> f) {
+  ahead_.memory = ahead_found_;
+  finder_.follow(q, ahead_);
+  ahead_found_ = ahead_.memory;
+  set_velocities(v, v_);
   respond(h, ahead_);
   (void)finder_.adopt_kinds(ahead_);
   add(ahead_, f);

@@ -45,9 +45,9 @@ class ExplicitContact {
   /// f += forces that contacts with ghost bodies would have at other positions, as arrive() would compute them.
   /// @param q,v  as for arrive()
   void foresee(double h, std::span<const double> q, std::span<const double> v, std::span<double> f);
-  /// The same where only ghosts move otherwise than in the last foresee(): its points, with gaps and feet to the first
-  /// order in the difference of the displacements.
-  void foresee_again(double h, std::span<const double> v, std::span<double> f);
+  /// The same where only ghosts move otherwise than in the last foresee(), by little: the points are those of that
+  /// call, with their shares.
+  void foresee_again(double h, std::span<const double> q, std::span<const double> v, std::span<double> f);
   /// Checks the points of the present instant.
   void check(std::span<const double> q, Audit& audit) const;
   /// Called before arrive(): true where it may have to be undone. The points at the start of the step are then kept.
@@ -146,9 +146,7 @@ class ExplicitContact {
   bool checks_friction_;
   ContactList* list_ = nullptr;  // of the state
   ContactList before_, ahead_, left_list_;
-  std::vector<ContactMemory> ahead_left_;       // memories of ahead_ before the law acted
-  std::vector<ContactGeometry> ahead_at_;       // geometry of ahead_ as foresee() found it
-  IndexedVector<OutlineNode, Vec2> ahead_v_;    // velocities that foresee() found it with [m/s]
+  std::vector<ContactMemory> ahead_found_;  // memories of ahead_ before the law acted
   bool indexed_ = false;   // the finder has indexed the list
   bool in_place_ = false;  // the last step was: before_ belongs to no instant
   bool always_anew_ = false;

@@ -81,10 +81,6 @@ void CentralDifference::foresee(const State& state, std::span<const double> end,
       q_new_[i] = end[i];
       v_half_[i] = (end[i] - state.q[i]) / h;
     }
-  if (again) {
-    contact_.foresee_again(h, v_half_, f);
-    return;
-  }
   chunks_.for_free([&](const Chunk& c, std::size_t) {
     for (std::size_t i = c.begin; i < c.end; ++i) {
       v_half_[i] = state.v[i] + 0.5 * h * state.a[i];
@@ -94,7 +90,10 @@ void CentralDifference::foresee(const State& state, std::span<const double> end,
   double farthest = 0.0;
   move_driven(state, h, seconds(state.time + ticks_of_step), farthest);
   turn(state, h);
-  contact_.foresee(h, q_new_, v_half_, f);
+  if (again)
+    contact_.foresee_again(h, q_new_, v_half_, f);
+  else
+    contact_.foresee(h, q_new_, v_half_, f);
 }
 
 void CentralDifference::mark(Mark& out) const {

@@ -60,7 +60,7 @@ void Newmark::enter_stage(const State& state) {
   contacts_.enter(state.factored);
   tangent_ = {};
   start_ = {};
-  has_end_ = false;
+  has_end_ = has_tangent_ = renew_ = false;
   clear_ = 0.0;
   reference_.assign(state.q.size(), 0.0);
   node_scratch_.assign(state.q.size(), 0.0);
@@ -79,23 +79,19 @@ void Newmark::resume(State& state, const IntegratorMemory& memory) {
   list_ = &state.contacts;
   list_->find_briefs();
   tangent_ = memory.tangent;
-  if (tangent_.step != 0) K_.swap(tangent_.stiffness);
   start_ = memory.start;
 }
 
 IntegratorMemory Newmark::lend() {
   IntegratorMemory out;
-  exchange(out);
+  std::swap(tangent_, out.tangent);
+  std::swap(start_, out.start);
   return out;
 }
 
-void Newmark::take_back(IntegratorMemory& memory) { exchange(memory); }
-
-void Newmark::exchange(IntegratorMemory& memory) {
-  if (tangent_.step != 0) K_.swap(tangent_.stiffness);
+void Newmark::take_back(IntegratorMemory& memory) {
   std::swap(tangent_, memory.tangent);
   std::swap(start_, memory.start);
-  if (tangent_.step != 0) K_.swap(tangent_.stiffness);
 }
 
 double Newmark::enter(State& state) {
@@ -199,6 +195,7 @@ void Newmark::prepare(const State& state, double h) {
   }
   keep_ = keep_ && !damper_.acts();
   made_ = !keep_;
+  if (keep_ && !has_tangent_) take_tangent(state);
   if (keep_ && has_end_) {  // the last step ended with them
     force_before_ = force_after_;
     energy_before_ = energy_after_;
@@ -583,20 +580,16 @@ bool Newmark::reach(const State& state, Tick ticks_of_step, StepReport& report) 
 StepReport Newmark::step(State& state, Tick ticks_of_step) {
   StepReport report;
   const double h = seconds(ticks_of_step);
-  keep_ = keeps_tangent(ticks_of_step);
+  const bool renew = std::exchange(renew_, false);
+  keep_ = keeps_tangent(ticks_of_step) && !renew;
   prepare(state, h);
   const bool balanced = balance(state, h, report);
+  if (made_) has_tangent_ = false;
   has_end_ = false;
-  if (!balanced) {
-    tangent_.step = 0;
-    return report;
-  }
+  if (!balanced) return report;
   const LeftOver left = left_over(state);
   report.left_work = left.work;
-  if (!reach(state, ticks_of_step, report)) {
-    tangent_.step = 0;
-    return report;
-  }
+  if (!reach(state, ticks_of_step, report)) return report;
   if (audit_ != nullptr) contacts_.check(d_, left.force, *audit_);
   if (interface_.acts()) keep_for_next_step(ticks_of_step, report.iterations);
   accept(state, ticks_of_step);

@@ -67,6 +67,8 @@ class Newmark final : public TimeIntegrator {
   [[nodiscard]] bool keeps_tangent(Tick ticks_of_step) const {
     return tangent_.step == ticks_of_step && list_->points.empty();
   }
+  /// The next step makes a new tangent, whatever keeps_tangent().
+  void renew_tangent() { renew_ = true; }
   /// State::contacts of the entered state.
   [[nodiscard]] const ContactList& list() const { return *list_; }
   /// See ExplicitContact.
@@ -110,7 +112,8 @@ class Newmark final : public TimeIntegrator {
   [[nodiscard]] bool evaluate_interface_force(const State& state, StepReport& report);
   /// Before accept(): what the next step takes from this one, which took so many iterations.
   void keep_for_next_step(Tick ticks_of_step, int iterations);
-  void exchange(IntegratorMemory& memory);
+  /// Makes the kept tangent and its factor those of the system again.
+  void take_tangent(const State& state);
   void add_affine_damping(const State& state, std::span<const double> rate, std::span<double> out);
   /// Newton's iteration of one step.
   struct NewtonLoop {
@@ -210,7 +213,9 @@ class Newmark final : public TimeIntegrator {
   Damping damped_before_, damped_after_;
   // One value per entry of the pattern.
   std::vector<double> K_, C_, A_;
-  IntegratorMemory::Tangent tangent_;  // its stiffness is K_
+  IntegratorMemory::Tangent tangent_;  // of accepted steps
+  bool has_tangent_ = false;           // K_ and the factor are those of the tangent
+  bool renew_ = false;                 // the next step makes a tangent
   bool tangent_may_stay_ = false;      // at least while nothing but bodies, supports and the interface force acts
   bool keep_ = false;                  // the step uses the tangent of an earlier one
   bool made_ = false;                  // a tangent was made in this step

@@ -37,6 +37,12 @@ bool Newmark::evaluate_interface_force(const State& state, StepReport& report) {
   return false;
 }
 
+void Newmark::take_tangent(const State& state) {
+  K_ = tangent_.stiffness;
+  contacts_.enter(state.factored);
+  has_tangent_ = true;
+}
+
 void Newmark::keep_for_next_step(Tick ticks_of_step, int iterations) {
   // An iteration costs about half of a new tangent with its factor.
   constexpr std::int32_t kPays = 2;
@@ -46,9 +52,8 @@ void Newmark::keep_for_next_step(Tick ticks_of_step, int iterations) {
   if (!may_stay) {
     tangent_.step = 0;
   } else if (made_) {
-    tangent_.step = ticks_of_step;
-    tangent_.least = iterations;
-    tangent_.excess = 0;
+    tangent_ = {ticks_of_step, iterations, 0, K_};
+    has_tangent_ = true;
   } else {
     tangent_.excess += std::max(0, iterations - tangent_.least);
     tangent_.least = std::min(tangent_.least, iterations);

@@ -405,10 +405,13 @@ StepReport Partitioned::step(State& state, Tick ticks_of_step) {
   if (keeps && report.status != StepReport::Status::ok && report.status != StepReport::Status::given_up) {
     // The tangent of an earlier step may be too far from this one's.
     if (gone_) rewind();
+    const std::vector<Spring> of_tangent = springs_;
     find_springs(false);
+    implicit_->renew_tangent();
     const StepReport first = report;
     report = implicit_->step(i, ticks_of_step);
     report.add_work(first);
+    if (report.status != StepReport::Status::ok) springs_ = of_tangent;
   }
   report.explicit_steps = static_cast<std::int64_t>(repeats_) * substeps_;
   if (report.status != StepReport::Status::ok) {

@@ -480,6 +480,16 @@ void ContactFinder::find_of_ghosts(std::span<const double> q, ContactList& out) 
   list_points(pairs_.update(x_, known_, ContactPairs::Of::ghosts), false, out);
 }
 
+void ContactFinder::follow(std::span<const double> q, ContactList& list) {
+  place_nodes(q);
+  for (std::size_t i = 0; i < list.points.size(); ++i) {
+    ContactPoint& p = list.points[i];
+    const double before = p.at.gap;
+    p.at = geometry(p.vertex, p.segment);
+    list.memory[i].gap += p.at.gap - before;
+  }
+}
+
 void ContactFinder::find_again(const ContactList& known, ContactList& out) {
   known_.index(known);
   list_points(pairs_.pairs(), false, out);

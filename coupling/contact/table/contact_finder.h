@@ -29,6 +29,8 @@ class ContactFinder {
   /// The same for the points of ghosts alone, at positions that a step may reach. They equal those of the whole list
   /// except for the effect of corners between two other bodies.   @pre index() or take_noted() for the list
   void find_of_ghosts(std::span<const double> q, ContactList& out);
+  /// Moves the points of such a list to other positions, with the same segments, shares and dashpots.
+  void follow(std::span<const double> q, ContactList& list);
   /// True if a list can be updated to q in place, with the same bits as by find(). Most points then stay, each with its
   /// memory; where points of a vertex appear, end or pass their memory on, all points of the vertex are made anew,
   /// outside the list, which has not changed yet. Next: splice() if any were made; move() of the points that others may
