@@ -147,8 +147,8 @@ class ExplicitContact {
   ContactList* list_ = nullptr;  // of the state
   ContactList before_, ahead_, left_list_;
   std::vector<ContactMemory> ahead_found_;  // memories of ahead_ before the law acted
-  bool indexed_ = false;   // the finder has indexed the list
-  bool in_place_ = false;  // the last step was: before_ belongs to no instant
+  bool indexed_ = false;                    // the finder has indexed the list
+  bool in_place_ = false;                   // the last step was: before_ belongs to no instant
   bool always_anew_ = false;
   std::int64_t steps_in_place_ = 0;
   bool can_undo_ = false;  // left_list_ has the points at the start of the step

@@ -60,6 +60,7 @@ void Newmark::enter_stage(const State& state) {
   contacts_.enter(state.factored);
   tangent_ = {};
   start_ = {};
+  interface_.kept() = {};
   has_end_ = has_tangent_ = renew_ = false;
   clear_ = 0.0;
   reference_.assign(state.q.size(), 0.0);
@@ -80,18 +81,21 @@ void Newmark::resume(State& state, const IntegratorMemory& memory) {
   list_->find_briefs();
   tangent_ = memory.tangent;
   start_ = memory.start;
+  interface_.kept() = memory.iterates;
 }
 
 IntegratorMemory Newmark::lend() {
   IntegratorMemory out;
   std::swap(tangent_, out.tangent);
   std::swap(start_, out.start);
+  std::swap(interface_.kept(), out.iterates);
   return out;
 }
 
 void Newmark::take_back(IntegratorMemory& memory) {
   std::swap(tangent_, memory.tangent);
   std::swap(start_, memory.start);
+  std::swap(interface_.kept(), memory.iterates);
 }
 
 double Newmark::enter(State& state) {
@@ -262,8 +266,8 @@ void Newmark::add_affine_damping(const State& state, std::span<const double> rat
 }
 
 void Newmark::find_step_springs(const State& state, double h) {
-  const bool was_still = std::exchange(still_, std::all_of(driven_move_.begin(), driven_move_.end(),
-                                                           [](const Vec2& move) { return move.isZero(0.0); }));
+  const bool was_still = std::exchange(
+      still_, std::all_of(driven_move_.begin(), driven_move_.end(), [](const Vec2& move) { return move.isZero(0.0); }));
   if (keep_ && has_end_ && was_still && still_) {  // as in the last step, but for the elongation of supports
     std::size_t k = 0;
     for (const PointSpring& s : supports_)
@@ -580,8 +584,8 @@ bool Newmark::reach(const State& state, Tick ticks_of_step, StepReport& report) 
 StepReport Newmark::step(State& state, Tick ticks_of_step) {
   StepReport report;
   const double h = seconds(ticks_of_step);
-  const bool renew = std::exchange(renew_, false);
-  keep_ = keeps_tangent(ticks_of_step) && !renew;
+  renewed_ = std::exchange(renew_, false);
+  keep_ = keeps_tangent(ticks_of_step) && !renewed_;
   prepare(state, h);
   const bool balanced = balance(state, h, report);
   if (made_) has_tangent_ = false;

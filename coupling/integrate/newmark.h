@@ -67,8 +67,12 @@ class Newmark final : public TimeIntegrator {
   [[nodiscard]] bool keeps_tangent(Tick ticks_of_step) const {
     return tangent_.step == ticks_of_step && list_->points.empty();
   }
-  /// The next step makes a new tangent, whatever keeps_tangent().
-  void renew_tangent() { renew_ = true; }
+  /// True if the next step will use anything of earlier ones to speed up its iteration.
+  [[nodiscard]] bool uses_earlier(Tick ticks_of_step) {
+    return keeps_tangent(ticks_of_step) || interface_.kept().count > 0;
+  }
+  /// The next step uses nothing of earlier ones, and makes a new tangent.
+  void renew() { renew_ = true; }
   /// State::contacts of the entered state.
   [[nodiscard]] const ContactList& list() const { return *list_; }
   /// See ExplicitContact.
@@ -215,7 +219,8 @@ class Newmark final : public TimeIntegrator {
   std::vector<double> K_, C_, A_;
   IntegratorMemory::Tangent tangent_;  // of accepted steps
   bool has_tangent_ = false;           // K_ and the factor are those of the tangent
-  bool renew_ = false;                 // the next step makes a tangent
+  bool renew_ = false;                 // renew() was called
+  bool renewed_ = false;               // for this step
   bool tangent_may_stay_ = false;      // at least while nothing but bodies, supports and the interface force acts
   bool keep_ = false;                  // the step uses the tangent of an earlier one
   bool made_ = false;                  // a tangent was made in this step
@@ -224,7 +229,7 @@ class Newmark final : public TimeIntegrator {
   double farthest_ = 0.0;              // displacement of an outline node in the step [m]
   double clear_ = 0.0;  // while there are no points: how far nodes may still move before there can be one [m]
   IntegratorMemory::Start start_;
-  std::vector<double> plain_start_;  // start values of the step without what the last one lacked
+  std::vector<double> plain_start_;                  // start values of the step without what the last one lacked
   double energy_before_ = 0.0, energy_after_ = 0.0;  // elastic, of the bodies whose force is not linear
   std::vector<double> q_new_, v_new_, node_scratch_, node_scratch2_, node_scratch3_;
 };

@@ -19,7 +19,7 @@ void Newmark::begin_interface_iteration(const State& state, double h) {
     for (std::size_t i = 0; i < d_.size(); ++i)
       d_[i] += start_.part[0] * start_.lacked[0][i] + start_.part[1] * start_.lacked[1][i];
   move_to_iterate(state);
-  interface_.begin(iterate(state));
+  interface_.begin(iterate(state), !renewed_);
   if (!system_.nonlinear()) return;
   if (goes_on)
     (void)system_.linearise(q_new_, Stiffness::exact, false, {}, force_);
@@ -60,7 +60,8 @@ void Newmark::keep_for_next_step(Tick ticks_of_step, int iterations) {
     if (tangent_.excess >= kPays) tangent_.step = 0;
   }
 
-  if (interface_.constrained()) return;  // such steps start from rest
+  interface_.accept();
+
   // What this step lacked, in terms of what the last two lacked: the best combination would have been that with the
   // least difference. The next step begins with the same combination.
   auto& [last, before] = start_.lacked;

@@ -175,8 +175,8 @@ class OpenClose {
   ConjugateResiduals residuals_;
   std::vector<Cholesky::Change> changes_;
   std::vector<Pass> passes_;
-  bool predict_ = false;  // the first solve() of the step has not begun yet
-  bool current_ = false;  // the factor is that of the step's matrix, with updates
+  bool predict_ = false;      // the first solve() of the step has not begun yet
+  bool current_ = false;      // the factor is that of the step's matrix, with updates
   bool same_matrix_ = false;  // keep_matrix() was called in the step
   bool updated_ = false;
   bool exact_ = false;            // the pass is to solve to round-off: not before states seem to have settled

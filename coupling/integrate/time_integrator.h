@@ -8,6 +8,7 @@
 #include "coupling/bodies/setup.h"
 #include "coupling/contact/audit/audit.h"
 #include "coupling/interface/interface_force.h"
+#include "coupling/linear/fixed_point.h"
 #include "coupling/plan.h"
 #include "coupling/state.h"
 #include "coupling/step_report.h"
@@ -48,11 +49,12 @@ struct IntegratorMemory {
   /// Start values of the iteration of those steps: what they lacked in the last step and the one before, and how much
   /// of either to add.
   struct Start {
-    Tick step = 0;  // length of those steps; 0: there are none
+    Tick step = 0;  // length of the last step; 0: there is none
     std::array<double, 2> part{};
     std::array<std::vector<double>, 2> lacked;  // per unknown; the last step first
   };
   Start start;
+  FixedPoint::Kept iterates;  // of that iteration
 
   /// As State::visit().
   template <class Visitor>
@@ -129,6 +131,7 @@ void IntegratorMemory::visit(Visitor&& see) const {
   see("start.step", start.step);
   see("start.part", start.part);
   for (const std::vector<double>& lacked : start.lacked) see("start.lacked", lacked);
+  iterates.visit(see);
 }
 
 }  // namespace scree::coupling

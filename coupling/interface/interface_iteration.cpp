@@ -10,6 +10,7 @@
 namespace scree::coupling {
 void InterfaceIteration::set(InterfaceForce* force) {
   force_ = force;
+  fixed_point_.forget();
   for (auto* v : {&mean_, &predicted_unknowns_force_, &mismatch_, &kick_, &predictor_, &predictor_error_,
                   &evaluated_at_, &impulse_})
     v->assign(force == nullptr ? 0 : static_cast<std::size_t>(system_->dofs()), 0.0);
@@ -73,7 +74,7 @@ void InterfaceIteration::find_along(std::span<const double> d) {
         std::sqrt(springs_->k[first_constraint_spring_ + k]) * springs_->rows[first_constraint_spring_ + k].change(d);
 }
 
-void InterfaceIteration::begin(const Iterate& at) {
+void InterfaceIteration::begin(const Iterate& at, bool use_kept) {
   const std::size_t n = at.d.size();
   predicted_.assign(n + rows_.size(), 0.0);
   corrected_.assign(predicted_.size(), 0.0);
@@ -82,7 +83,7 @@ void InterfaceIteration::begin(const Iterate& at) {
   along_.resize(held_.size());
   units_.assign(predicted_.size(), 1.0);
   std::copy(system_->unit().begin(), system_->unit().end(), units_.begin());
-  fixed_point_.begin(units_);
+  fixed_point_.begin(units_, use_kept);
   std::fill(predictor_error_.begin(), predictor_error_.end(), 0.0);
   foreseen_ = false;
   if (!predict(at)) {
@@ -140,7 +141,7 @@ StepReport InterfaceIteration::evaluate(const Iterate& at) {
   apply(at);
   if (foreseen && mean_ != predictor_) {
     for (std::size_t i = 0; i < mean_.size(); ++i) predictor_error_[i] += mean_[i] - predictor_[i];
-    fixed_point_.begin(units_);  // earlier values belong to another prediction
+    fixed_point_.restart();
   }
   const auto corrected = std::span(corrected_).subspan(at.d.size());
   std::copy(predicted.begin(), predicted.end(), corrected.begin());

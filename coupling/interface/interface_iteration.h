@@ -41,7 +41,11 @@ class InterfaceIteration {
   /// True where interface constraints act in the step.   @pre add_springs()
   [[nodiscard]] bool constrained() const { return rows_.size() != 0; }
   /// Begins the iteration of a step at its first iterate.
-  void begin(const Iterate& at);
+  /// @param use_kept  the iterates of accepted steps speed up this iteration
+  void begin(const Iterate& at, bool use_kept);
+  /// After an accepted step: later ones may use its iterates.
+  void accept() { fixed_point_.accept(); }
+  [[nodiscard]] FixedPoint::Kept& kept() { return fixed_point_.kept(); }
   /// Upper bound of the force's tangent [N/m].
   [[nodiscard]] double stiffness() const { return force_->stiffness(); }
   /// Largest change of an unknown since the force was last evaluated, as a displacement [m].

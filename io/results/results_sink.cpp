@@ -69,6 +69,7 @@ struct ResultsSink::Files {
   void frame(const coupling::FrameView& view) {
     const FrameRows rows = frames.frame(view);
     xdmf.frame(view, rows, frames.values());
+    frames.forget_values();
     if (contacts) contacts->frame(view);
     if (bolts) bolts->frame(view);
     progress.frame(view);

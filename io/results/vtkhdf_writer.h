@@ -44,6 +44,11 @@ class VtkhdfWriter {
   FrameRows frame(const coupling::FrameView& frame);
   /// Values that the last frame() stored.
   [[nodiscard]] const FrameValues& values() const { return values_; }
+  /// Frees values() of a large frame: between frames steps need the memory.
+  void forget_values() {
+    constexpr std::size_t kLarge = 10'000;
+    if (values_.points.size() > kLarge) values_ = {};
+  }
   /// Records in `mark` how much is stored now.
   void mark(ResultsMark& mark);
   /// Starts with the frames that another file had at the mark.   @pre nothing has been added yet

@@ -116,9 +116,14 @@ void ContactFinder::suppress_one(bool at_start, std::size_t i, std::size_t j, Co
     if (loaded && ma.impact == 0.0) a.suppressed = true;
     return;
   }
-  const double depth_a = entry_depth(a), depth_b = entry_depth(b);
+  const bool bonded = ma.bonded != 0 || mb.bonded != 0;
+  if (bonded && !loaded) return;
+  const double depth_a = entry_depth(a);
+  const bool in_line = !bonded && depth_a < -kInLine * a.at.gap;
+  if (!in_line && !loaded) return;
+  const double depth_b = entry_depth(b);
   // Where joints continue in line in both directions four blocks meet in a corner, and diagonal ones do not touch.
-  if (ma.bonded == 0 && mb.bonded == 0 && depth_a < -kInLine * a.at.gap && depth_b < -kInLine * b.at.gap) {
+  if (in_line && depth_b < -kInLine * b.at.gap) {
     a.suppressed = b.suppressed = true;
     return;
   }

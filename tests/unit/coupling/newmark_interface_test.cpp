@@ -23,8 +23,7 @@ struct Slide {
     const BlockId base = scene.add("base", rectangle(0.0, -1.0, 6.0, 0.0)),
                   low = scene.add("low", rectangle(1.0, drop, 3.0, 1.0 + drop)),
                   high = scene.add("high", rectangle(1.5, 1.0 + drop, 2.5, 1.6 + drop));
-    for (const double x : {0.5, 3.0, 5.5})
-      scene.model.point_supports.push_back({base, Vec2(x, -1.0), true, true, 1e9});
+    for (const double x : {0.5, 3.0, 5.5}) scene.model.point_supports.push_back({base, Vec2(x, -1.0), true, true, 1e9});
     scene.model.initial_velocities.push_back({low, Vec2(0.5, 0.0), 0.0});
     scene.model.initial_velocities.push_back({high, Vec2(1.5, 0.0), 0.0});
     const Stage& stage = scene.stage("nmm", Integrator::partitioned, 1.0, 1.0, 0.5);
@@ -74,8 +73,7 @@ TEST(KeptTangent, that_does_not_fit_any_more_is_made_anew_within_the_step) {
     const StepReport report = falls.step();
     ASSERT_EQ(report.status, StepReport::Status::ok) << "step " << i << ": " << report.cause;
     made += report.factorisations;
-    for (const ContactMemory& m : falls.start->state.contacts)
-      touched = touched || m.status != ContactStatus::open;
+    for (const ContactMemory& m : falls.start->state.contacts) touched = touched || m.status != ContactStatus::open;
   }
   EXPECT_TRUE(touched);
   EXPECT_GE(made, 2);
