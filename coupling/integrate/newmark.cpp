@@ -84,20 +84,6 @@ void Newmark::resume(State& state, const IntegratorMemory& memory) {
   interface_.kept() = memory.iterates;
 }
 
-IntegratorMemory Newmark::lend() {
-  IntegratorMemory out;
-  std::swap(tangent_, out.tangent);
-  std::swap(start_, out.start);
-  std::swap(interface_.kept(), out.iterates);
-  return out;
-}
-
-void Newmark::take_back(IntegratorMemory& memory) {
-  std::swap(tangent_, memory.tangent);
-  std::swap(start_, memory.start);
-  std::swap(interface_.kept(), memory.iterates);
-}
-
 double Newmark::enter(State& state) {
   enter_stage(state);
   list_ = &state.contacts;

@@ -37,6 +37,20 @@ bool Newmark::evaluate_interface_force(const State& state, StepReport& report) {
   return false;
 }
 
+IntegratorMemory Newmark::lend() {
+  IntegratorMemory out;
+  std::swap(tangent_, out.tangent);
+  std::swap(start_, out.start);
+  std::swap(interface_.kept(), out.iterates);
+  return out;
+}
+
+void Newmark::take_back(IntegratorMemory& memory) {
+  std::swap(tangent_, memory.tangent);
+  std::swap(start_, memory.start);
+  std::swap(interface_.kept(), memory.iterates);
+}
+
 void Newmark::take_tangent(const State& state) {
   K_ = tangent_.stiffness;
   contacts_.enter(state.factored);
