@@ -67,10 +67,6 @@ class Newmark final : public TimeIntegrator {
   [[nodiscard]] bool keeps_tangent(Tick ticks_of_step) const {
     return tangent_.step == ticks_of_step && list_->points.empty();
   }
-  /// True if the next step will use anything of earlier ones to speed up its iteration.
-  [[nodiscard]] bool uses_earlier(Tick ticks_of_step) {
-    return keeps_tangent(ticks_of_step) || interface_.kept().count > 0;
-  }
   /// The next step uses nothing of earlier ones, and makes a new tangent.
   void renew() { renew_ = true; }
   /// State::contacts of the entered state.

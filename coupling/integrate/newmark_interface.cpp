@@ -15,7 +15,7 @@ void Newmark::begin_interface_iteration(const State& state, double h) {
     if (goes_on) d_[i] += 0.5 * h * h * acceleration_[i];
   }
   plain_start_ = d_;
-  if (goes_on && start_.step != 0 && seconds(start_.step) == h)
+  if (goes_on && !renewed_ && start_.step != 0 && seconds(start_.step) == h)
     for (std::size_t i = 0; i < d_.size(); ++i)
       d_[i] += start_.part[0] * start_.lacked[0][i] + start_.part[1] * start_.lacked[1][i];
   move_to_iterate(state);

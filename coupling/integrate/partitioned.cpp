@@ -395,15 +395,15 @@ StepReport Partitioned::step(State& state, Tick ticks_of_step) {
   copy(explicit_runs_, &Run::of_explicit, e.q, &Run::of_implicit, i.q);
   present_.assign(i.q.size(), 0.0);
   copy(implicit_runs_, &Run::of_explicit, explicit_->forces(), &Run::of_implicit, present_);
-  const bool uses_earlier = implicit_->uses_earlier(ticks_of_step);
-  find_springs(implicit_->keeps_tangent(ticks_of_step));
+  const bool keeps = implicit_->keeps_tangent(ticks_of_step);
+  find_springs(keeps);
   // By their own mass nodes move by H^2/2 per unit of acceleration; the part that waves have reached by then is slower.
   const double scale = std::sqrt(2.0 * substeps_) / H;
   for (std::size_t k = 0; k < constraint_mass_.size(); ++k) constraint_factor_[k] = scale * constraint_mass_[k];
   if (audit_ != nullptr) implicit_->watch(audit_);
   StepReport report = implicit_->step(i, ticks_of_step);
-  if (uses_earlier && report.status != StepReport::Status::ok && report.status != StepReport::Status::given_up) {
-    // What is kept of earlier steps may be too far from this one.
+  if (keeps && report.status != StepReport::Status::ok && report.status != StepReport::Status::given_up) {
+    // The tangent of an earlier step may be too far from this one's.
     if (gone_) rewind();
     const std::vector<Spring> of_tangent = springs_;
     find_springs(false);

@@ -17,6 +17,7 @@ void FixedPoint::begin(std::span<const double> unit, bool use_kept) {
   uses_kept_ = use_kept && kept_.answers.size() == static_cast<std::size_t>(kept_.count) * unit.size();
   last_answer_.clear();
   count_ = 0;
+  iterates_ = 0;
 }
 
 void FixedPoint::take_difference(std::span<const double> answer) {
@@ -72,6 +73,7 @@ void FixedPoint::next(std::span<const double> answer, std::span<double> x) {
   const Eigen::Map<Eigen::VectorXd> iterate(x.data(), n);
   residual_ = (t - iterate).array() / unit;
   take_difference(answer);
+  uses_kept_ = uses_kept_ && ++iterates_ <= kPatience;
   Eigen::Map<Eigen::VectorXd>(x.data(), n) = t;
   if (count_ == 0 && (!uses_kept_ || kept_.count == 0)) return;
   if (base_.rows() != n) {

@@ -11,7 +11,7 @@ namespace scree::coupling {
 /// Anderson's method for x = T(x): the next iterate is the answer T to that combination of earlier iterates whose
 /// residual T(x) - x is least. On linear maps it takes as many iterations as GMRES, without a derivative of T.
 /// Differences of an iteration that was accepted serve later ones of a similar map; newer differences come first, and
-/// what is nearly a combination of newer ones is left out.
+/// what is nearly a combination of newer ones is left out. An iteration that takes long goes on without them.
 /// @source [Anderson1965]; as interface quasi-Newton least squares, with differences of earlier steps: [Degroote2009]
 class FixedPoint {
  public:
@@ -43,6 +43,7 @@ class FixedPoint {
 
  private:
   static constexpr Eigen::Index kMost = 24;          // differences used
+  static constexpr int kPatience = 20;               // iterates found with kept differences
   static constexpr std::size_t kMostKept = 1 << 20;  // numbers kept of either kind
   void take_difference(std::span<const double> answer);
   /// Orthogonalises a difference to newer ones, and applies it to the residual that is left and to the iterate.
@@ -51,6 +52,7 @@ class FixedPoint {
 
   std::span<const double> unit_;
   bool uses_kept_ = false;
+  int iterates_ = 0;  // of this iteration
   Kept kept_;
   std::vector<double> last_answer_, last_residual_;
   Eigen::VectorXd residual_, left_;      // of the iterate; after the differences applied so far
