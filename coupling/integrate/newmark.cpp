@@ -513,7 +513,10 @@ bool Newmark::balance(const State& state, double h, StepReport& report) {
   for (;;) {
     if (!solve_iterate(state, h, loop, report)) return false;
     if (const Settled settled = settle(state, loop, report); settled != Settled::no) return settled == Settled::yes;
-    if (report.iterations >= (made_ ? kIterations : tangent_.least + kMoreIterations) ||
+    const int most = !made_              ? tangent_.least + kMoreIterations
+                     : interface_.acts() ? kIterations + FixedPoint::kPatience
+                                         : kIterations;
+    if (report.iterations >= most ||
         (report.iterations > 8 && loop.left > 1e3 * loop.last && loop.left > kBalanced * loop.largest)) {
       describe_imbalance(std::max(report.residual, loop.apart / loop.largest), report);
       return false;

@@ -15,6 +15,8 @@ namespace scree::coupling {
 /// @source [Anderson1965]; as interface quasi-Newton least squares, with differences of earlier steps: [Degroote2009]
 class FixedPoint {
  public:
+  /// Iterates that are found with differences of accepted iterations; then these are forgotten.
+  static constexpr int kPatience = 12;
   /// Differences of accepted iterations, the newest last.
   struct Kept {
     std::int32_t count = 0;
@@ -43,7 +45,6 @@ class FixedPoint {
 
  private:
   static constexpr Eigen::Index kMost = 24;          // differences used
-  static constexpr int kPatience = 20;               // iterates found with kept differences
   static constexpr std::size_t kMostKept = 1 << 20;  // numbers kept of either kind
   void take_difference(std::span<const double> answer);
   /// Orthogonalises a difference to newer ones, and applies it to the residual that is left and to the iterate.

@@ -1,4 +1,4 @@
-"""Cases of the bench: walls of blocks in running bond, a block with a mesh, two blocks."""
+"""Cases of the bench: walls of blocks in running bond, a block with a mesh, two blocks, a stiff stack."""
 import math
 
 SETTLED = 0.4  # [s]: static steps of 20 ms; measurements begin afterwards
@@ -20,6 +20,23 @@ block = [
   { name = "slider", material = "rock", polygon = [[0, -0.333333333], [1, -0.916666667], [1.6, 0.1], [0.6, 0.7]] },
 ]
 stage = [{ name = "slide", method = "dda", integrator = "implicit", dt = "1 ms", duration = 1.0 }]
+"""
+
+
+# The middle one of three stiff blocks takes implicit steps of 1 ms, those below and above it explicit ones.
+STIFF_STACK = """
+title = "Stiff stack"
+material.rock = { density = 2600.0, young = "50 GPa", poisson = 0.2 }
+joint.stiff = { friction_deg = 40.0, normal_stiffness = 5e11 }
+model = { default_joint = "stiff", cover_size = 0.5 }
+support = [{ block = "base" }]
+block = [
+  { name = "base", material = "rock", polygon = [[-1, -1], [4, -1], [4, 0], [-1, 0]] },
+  { name = "low", material = "rock", polygon = [[0, 0], [3, 0], [3, 1], [0, 1]] },
+  { name = "middle", material = "rock", polygon = [[0, 1], [3, 1], [3, 2], [0, 2]] },
+  { name = "high", material = "rock", polygon = [[0, 2], [3, 2], [3, 3], [0, 3]] },
+]
+stage = [{ name = "stand", method = "nmm", integrator = "partitioned", dt = "1 ms", duration = 0.16, explicit_blocks = ["low", "high"] }]
 """
 
 

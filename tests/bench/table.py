@@ -205,9 +205,10 @@ def implicit_growth(table):
 
 def partitioned(table):
     """Whole-process CPU of the cases with explicit and implicit blocks in one step."""
-    for name in ("four-blocks", "slope-ei"):
+    cases = {name: ROOT / "cases" / name / "case.toml" for name in ("four-blocks", "slope-ei")}
+    cases["stiff-stack"] = table.case("stiff-stack", bench_cases.STIFF_STACK)
+    for name, case in cases.items():
         figure = table.figure(f"{name}: whole process", "s", None)
-        case = ROOT / "cases" / name / "case.toml"
         table.rounds(lambda p, f=figure, c=case, n=name: f.add(p, p.run(c, n)[0][0]))
 
 
