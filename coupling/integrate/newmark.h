@@ -225,7 +225,7 @@ class Newmark final : public TimeIntegrator {
   double farthest_ = 0.0;              // displacement of an outline node in the step [m]
   double clear_ = 0.0;  // while there are no points: how far nodes may still move before there can be one [m]
   IntegratorMemory::Start start_;
-  std::vector<double> plain_start_;                  // start values of the step without what the last one lacked
+  std::vector<double> plain_start_;                  // first guess of the step without its correction
   double energy_before_ = 0.0, energy_after_ = 0.0;  // elastic, of the bodies whose force is not linear
   std::vector<double> q_new_, v_new_, node_scratch_, node_scratch2_, node_scratch3_;
 };

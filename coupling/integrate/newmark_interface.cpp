@@ -1,4 +1,4 @@
-// Implicit steps with an interface force: where their iteration starts, and the tangent that they keep.
+// Implicit steps with an interface force: the first guess of their iteration, and the tangent that they keep.
 #include <algorithm>
 
 #include "coupling/integrate/newmark.h"
@@ -76,8 +76,8 @@ void Newmark::keep_for_next_step(Tick ticks_of_step, int iterations) {
 
   interface_.accept();
 
-  // What this step lacked, in terms of what the last two lacked: the best combination would have been that with the
-  // least difference. The next step begins with the same combination.
+  // The combination of the differences between solution and first guess in the last two steps that is nearest to the
+  // difference in this one, by least squares. The next step corrects its first guess by the same combination.
   auto& [last, before] = start_.lacked;
   if (start_.step != ticks_of_step) last.clear();
   start_.step = ticks_of_step;

@@ -46,8 +46,8 @@ struct IntegratorMemory {
     std::vector<double> stiffness;  // of the bodies, on the pattern of the unknowns
   };
   Tangent tangent;
-  /// Start values of the iteration of those steps: what they lacked in the last step and the one before, and how much
-  /// of either to add.
+  /// First guess of the iteration of those steps: the differences between solution and uncorrected first guess in the
+  /// last step and the one before, and the factors with which the next step adds them.
   struct Start {
     Tick step = 0;  // length of the last step; 0: there is none
     std::array<double, 2> part{};
