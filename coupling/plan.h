@@ -142,6 +142,9 @@ struct Stage {
   bool rest = false;        // velocities are set to 0: explicit at peaks of kinetic energy, implicit after each step
   double rest_force = 0.0;  // a rest stage ends once unbalanced forces are below this fraction of the largest; 0: no
   std::int64_t rest_steps = 0;  // and fails if it has not ended after so many steps; 0: after its duration
+  // Islands of blocks at rest take no steps until something acts on them: bound of their motion relative to their
+  // elastic compression (coupling/stages/sleep_rules.h); 0: all blocks take all steps.
+  double sleep = 0.0;
   Partition partition;
   EndRules end;
   SwitchRules change;

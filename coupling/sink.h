@@ -44,8 +44,10 @@ struct RunStats {
   double audit_worst = 0.0;       // the largest ratio of a checked value to its limit
   // Effort of partitioned stages, including failed steps (pace.h): so far, and at the beginning of the present stage.
   double effort = 0.0, effort_before = 0.0;
-  double left_work = 0.0;      // work of residual forces at round-off in implicit steps [J]
-  double element_steps = 0.0;  // number of explicit element updates
+  double left_work = 0.0;       // work of residual forces at round-off in implicit steps [J]
+  double element_steps = 0.0;   // number of explicit element updates
+  std::int64_t asleep = 0;      // blocks at present
+  double sleep_momentum = 0.0;  // sum of |momentum| of blocks when they fell asleep [N s]
   // Of contacts that slid far: the smallest ratio of the impulse of friction to that of its limit, and the contact.
   double friction_ratio = std::numeric_limits<double>::infinity();
   ContactKey friction_key{};
@@ -143,6 +145,7 @@ enum class EventKind {
   stage_end,
   transfer,
   partition,
+  sleep,
   bolt_broken,
   excavated,
   filled,
@@ -158,7 +161,7 @@ struct Event {
   const StageTravel* travel = nullptr;  // of stage_end
 };
 [[nodiscard]] std::string_view name(EventKind kind);
-/// True for a kind that may occur hundreds of times: cuts, hand-overs of blocks, changes of a partition.
+/// True for a kind that may occur hundreds of times: cuts, hand-overs of blocks, changes of a partition, sleep.
 /// @param kind  its name
 [[nodiscard]] bool comes_often(std::string_view kind);
 [[nodiscard]] std::string_view name(Integrator integrator);

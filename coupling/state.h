@@ -71,6 +71,24 @@ struct RuleMemory {
   void visit(Visitor&& see) const;
 };
 
+/// Blocks at rest that take no steps (Stage::sleep).
+struct SleepMemory {
+  // Per body: the lowest body of its island if it is asleep, -1 if it is awake; empty: all are awake.
+  std::vector<std::int32_t> island;
+  std::vector<std::int32_t> calm;  // per body: successive checks at rest; empty: there has been no check
+  Tick seen = 0;                   // loads and motions are known to be constant for sleeping blocks up to this time
+  std::int64_t evaluated = -1;     // step at which the rules were evaluated last
+  [[nodiscard]] bool asleep(std::size_t body) const { return !island.empty() && island[body] >= 0; }
+  /// As State::visit().
+  template <class Visitor>
+  void visit(Visitor&& see) const {
+    see("sleep.island", island);
+    see("sleep.calm", calm);
+    see("sleep.seen", seen);
+    see("sleep.evaluated", evaluated);
+  }
+};
+
 struct State {
   Tick time = 0;
   std::int64_t step = 0;
@@ -95,6 +113,7 @@ struct State {
   std::vector<BoltMemory> bolts;  // of the model; empty: the model has none
   SupportForces support;          // of blocks and supports that have been removed
   RuleMemory rules;
+  SleepMemory sleep;
   Ledger ledger;
 
   /// Calls see(name, value) for every field, in a fixed order; visit_to_write() lets the visitor change them.
@@ -209,6 +228,7 @@ void State::visit(Visitor&& see) const {
   for (const BoltMemory& b : bolts) b.visit(see);
   support.visit(see);
   rules.visit(see);
+  sleep.visit(see);
   ledger.visit(see);
 }
 

@@ -18,7 +18,7 @@ import sys
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 # Cases that are run only up to this time [s]. Folders without a case file are studies.
 UNTIL = {"jinping": 0.1, "collapse": 0.02, "staged-slope": 0.45}
-SCENES = ["digging", "divided", "kept", "motion", "rules", "sides", "staged", "tangent"]
+SCENES = ["digging", "divided", "kept", "motion", "rules", "sides", "sleep", "staged", "tangent"]
 EXACT = {"step", "stage", "open", "slip", "stick"}
 
 

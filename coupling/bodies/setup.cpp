@@ -31,7 +31,7 @@ bool flagged(const std::vector<char>& flags, std::size_t i) { return !flags.empt
 /// shape) or belong to another integrator, whether it is slow.
 using PoolKey = std::tuple<std::string, bool, bool>;
 PoolKey key_of(const Model& model, const BodyRecord& record, const Ghosts& ghosts, std::size_t i) {
-  const bool held = record.absent || model.support_of(record.block) != nullptr;
+  const bool held = record.absent || flagged(ghosts.asleep, i) || model.support_of(record.block) != nullptr;
   return {record.method, held || flagged(ghosts.ghost, i), flagged(ghosts.slow, i)};
 }
 
@@ -53,10 +53,11 @@ Body describe(const Model& model, const BodyRecord& record, const Ghosts& ghosts
     b.motion = s->motion;
   }
   b.ghost = !b.driven && flagged(ghosts.ghost, i);
-  b.driven = b.driven || b.ghost;
+  b.asleep = !b.driven && flagged(ghosts.asleep, i);
+  b.driven = b.driven || b.ghost || b.asleep;
   b.resting = b.driven && !b.ghost && !b.motion.valid();
   b.touched = ghosts.shared ? b.ghost || !b.driven : !b.driven;
-  if (b.absent || (ghosts.shared && !ghosts.touch)) b.touched = false;
+  if (b.absent || b.asleep || (ghosts.shared && !ghosts.touch)) b.touched = false;
   b.divided = record.form.division.divides() && record.form.division.acts != Division::Acts::both;
   b.centre = moments(model.blocks[record.block.index()].polygon).centroid;
   return b;
@@ -114,7 +115,7 @@ Setup::Setup(const Model& model, const Methods& methods, const std::vector<BodyR
   }
   for (Outlines::Edge& e : outlines_.edges) {
     const Body& b = body(e.body);
-    if (b.absent || (!ghosts.touch && (b.ghost || b.divided))) e.touches = false;
+    if (b.absent || b.asleep || (!ghosts.touch && (b.ghost || b.divided))) e.touches = false;
   }
 }
 
@@ -280,7 +281,7 @@ Vec2 Setup::driven_displacement(const Body& b, double time) const {
 
 void Setup::prescribe(double time, std::span<double> q, std::span<double> v) const {
   for (const Body& b : bodies_) {
-    if (!b.resting) continue;
+    if (!b.resting || b.asleep) continue;
     AffineMotion m;
     m.c = b.centre;
     const auto p = static_cast<std::size_t>(b.pool);

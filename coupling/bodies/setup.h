@@ -23,7 +23,8 @@ struct Body {
   bool driven = false;                     // held or moved as a whole, or a ghost; has no unknowns
   bool absent = false;                     // not in the stage; driven too, at rest at its place in the model, untouched
   bool ghost = false;                      // another integrator moves it (see Ghosts)
-  bool resting = false;                    // driven, and stays at its place in the model
+  bool resting = false;                    // driven, and stays at its place: in the model, or where it fell asleep
+  bool asleep = false;                     // driven too, stays where it is, untouched (see Ghosts)
   bool divided = false;                    // another integrator moves one half of it
   bool slow = false;                       // its internal force is evaluated at long steps only (see Ghosts)
   bool touched = true;                     // contact forces on it matter to some integrator of this setup
@@ -42,6 +43,8 @@ struct Ghosts {
   // Per body: 1 where a Subcycled integrator evaluates its internal force at long steps only; pools of their own.
   // Empty: none.
   std::vector<char> slow;
+  // Per body: 1 where it takes no steps and has no contacts, but keeps its stress. Empty: none.
+  std::vector<char> asleep;
 };
 
 /// Constant during a stage.
@@ -82,7 +85,7 @@ class Setup {
   /// False for two bodies that contact forces do not move, and for ghosts without contacts.
   [[nodiscard]] bool can_touch(std::size_t a, std::size_t b) const {
     const Body &x = bodies_[a], &y = bodies_[b];
-    return !x.absent && !y.absent && (x.touched || y.touched) &&
+    return !x.absent && !y.absent && !x.asleep && !y.asleep && (x.touched || y.touched) &&
            (ghosts_touch_ || !(x.ghost || y.ghost || x.divided || y.divided));
   }
   /// Row of a pool with its nodes counted in the state's arrays, and back.

@@ -32,6 +32,7 @@ constexpr std::array<ColumnInfo, kColumns> kInfo{{
     {"local_damping", Side::dissipated, "local damping of explicit steps, a fraction of the unbalanced force"},
     {"viscous_edges", Side::dissipated, "energy that leaves through viscous edges"},
     {"rest_damping", Side::dissipated, "kinetic energy removed by stages that run to rest"},
+    {"falling_asleep", Side::dissipated, "kinetic energy removed from blocks as they fall asleep"},
     {"newmark_damping", Side::dissipated, "damping of the implicit scheme, 1/2 d.K.d over every spring and body"},
     {"contact_closing", Side::dissipated,
      "energy taken by the implicit scheme while contacts close, open or start to slip"},
@@ -95,6 +96,12 @@ void Ledger::set(Column energy_column, double value) {
 void Ledger::add(const Ledger& booked) {
   for (std::size_t i = 0; i < value_.size(); ++i) value_[i] += booked.value_[i];
   moved_ += booked.moved_;
+}
+
+Ledger Ledger::with_resting(std::span<const double> held, double sign) const {
+  Ledger out = *this;
+  for (std::size_t i = 0; i < held.size(); ++i) out.value_[kEnergy.begin + i] += sign * held[i];
+  return out;
 }
 
 Ledger Ledger::joined(const Ledger& base, const Ledger& a, const Ledger& b) {

@@ -41,6 +41,7 @@ enum class Column : int {
   local_damping,
   viscous_edges,
   rest_damping,
+  falling_asleep,
   newmark_damping,
   contact_closing,
   springs_dropped,
@@ -96,6 +97,9 @@ class Ledger {
     value_[static_cast<std::size_t>(column)] += increment;
     moved_ += std::abs(increment);
   }
+  /// The same ledger of more bodies (sign 1) or fewer (-1), which are at rest and whose energies are constant.
+  /// @param held  their energies, in the order of the energy columns [J]
+  [[nodiscard]] Ledger with_resting(std::span<const double> held, double sign) const;
   /// Adds the columns and the energy moved of another ledger, in which increments alone were booked.
   void add(const Ledger& booked);
 

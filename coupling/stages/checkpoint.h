@@ -91,7 +91,7 @@ void visit(const TransferRow& row, Visitor&& see) {
 
 template <class Visitor>
 void visit(const RunStats& s, Visitor&& see) {
-  static_assert(sizeof(RunStats) == 33 * 8, "a field that is new here belongs in the list below");
+  static_assert(sizeof(RunStats) == 35 * 8, "a field that is new here belongs in the list below");
   see("stats.steps", s.steps);
   see("stats.cuts", s.cuts);
   see("stats.iterations", s.iterations);
@@ -118,6 +118,8 @@ void visit(const RunStats& s, Visitor&& see) {
   see("stats.audit_worst", s.audit_worst);
   see("stats.left_work", s.left_work);
   see("stats.element_steps", s.element_steps);
+  see("stats.asleep", s.asleep);
+  see("stats.sleep_momentum", s.sleep_momentum);
   see("stats.effort", s.effort);
   see("stats.effort_before", s.effort_before);
   see("stats.friction_ratio", s.friction_ratio);

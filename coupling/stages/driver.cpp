@@ -11,6 +11,7 @@
 
 #include "coupling/bodies/partition.h"
 #include "coupling/bolts/bolt_rows.h"
+#include "coupling/integrate/awake_side.h"
 #include "coupling/integrate/central_difference.h"
 #include "coupling/integrate/newmark.h"
 #include "coupling/integrate/partitioned.h"
@@ -34,6 +35,11 @@ bool passes_multiple(Tick before, Tick now, Tick every) { return every > 0 && no
 
 ExplicitDamping explicit_damping(const Stage& stage) {
   return {stage.damping, stage.damp_rigid_motion, stage.stiffness_damping, stage.local_damping, stage.sliding_damping};
+}
+
+ImplicitOptions implicit_options(const Stage& stage) {
+  return {stage.newmark,           stage.rest ? 0.0 : stage.dynamics, stage.damping,
+          stage.damp_rigid_motion, stage.stiffness_damping,           stage.sliding_damping};
 }
 
 /// Time scheme as shown in results: blocks are distinguished only where some of them are implicit.
@@ -66,6 +72,8 @@ std::string_view name(EventKind kind) {
       return "step_cut";
     case EventKind::partition:
       return "partition";
+    case EventKind::sleep:
+      return "sleep";
     case EventKind::bolt_broken:
       return "bolt_broken";
     case EventKind::excavated:
@@ -81,7 +89,8 @@ std::string_view name(EventKind kind) {
 }
 
 bool comes_often(std::string_view kind) {
-  return kind == name(EventKind::step_cut) || kind == name(EventKind::transfer) || kind == name(EventKind::partition);
+  return kind == name(EventKind::step_cut) || kind == name(EventKind::transfer) || kind == name(EventKind::partition) ||
+         kind == name(EventKind::sleep);
 }
 
 std::string_view name(Integrator integrator) {
@@ -256,6 +265,9 @@ void Driver::change_stage(std::size_t index) {
     assign_sides(stage);
     enter_time(stage);
     state_.rules = {};
+    state_.sleep = {};
+    stats_.asleep = 0;
+    sleep_audit_.reset();
     change_bodies(stage);
     state_.stage = static_cast<std::int32_t>(index);
     begin_release(stage.construction, state_);
@@ -325,6 +337,7 @@ void Driver::begin_moving(const Stage& stage, bool new_mesh) {
 
 void Driver::watch_rules(const Stage& stage) {
   end_watch_ = stage.end.used() ? std::make_unique<EndWatch>(stage.end, *setup_, state_) : nullptr;
+  sleep_rules_ = stage.sleep > 0.0 ? std::make_unique<SleepRules>(stage, *setup_, state_, detection_) : nullptr;
   method_rules_ = stage.change.used ? std::make_unique<MethodRules>(stage, *methods_, *setup_, state_) : nullptr;
 }
 
@@ -366,15 +379,25 @@ void Driver::change_partition(const Stage& stage) {
                                           changed > 5 ? fmt::format(" and {} more", changed - 5) : std::string()));
 }
 
+std::unique_ptr<TimeIntegrator> Driver::make_plain(const Stage& stage, const Setup& setup) const {
+  if (stage.integrator == Integrator::implicit)
+    return std::make_unique<Newmark>(setup, step_control_, detection_, implicit_options(stage));
+  return std::make_unique<CentralDifference>(setup, step_control_, detection_, explicit_damping(stage), stage.rest);
+}
+
 std::unique_ptr<TimeIntegrator> Driver::make_integrator(const Stage& stage) {
   step_control_ = stage.control;
   if (!(step_control_.max_displacement > 0.0)) step_control_.max_displacement = 0.01 * smallest_width(*model_);
   // A point must not pass through the detection distance in one step.
   step_control_.max_displacement = std::min(step_control_.max_displacement, 0.5 * detection_);
   std::unique_ptr<TimeIntegrator> integrator;
-  if (stage.integrator == Integrator::explicit_) {
-    integrator =
-        std::make_unique<CentralDifference>(*setup_, step_control_, detection_, explicit_damping(stage), stage.rest);
+  if (stage.integrator != Integrator::partitioned) {
+    if (stage.integrator == Integrator::implicit) check_implicit(stage, *setup_, {});
+    if (stats_.asleep == 0)
+      integrator = make_plain(stage, *setup_);
+    else
+      integrator = std::make_unique<AwakeSide>(*setup_, *methods_, state_, stage.strength, stage.strength.from,
+                                               [&](const Setup& setup) { return make_plain(stage, setup); });
   } else if (stage.subcycled()) {
     check_subcycled(stage, *setup_, state_.explicit_side);
     integrator =
@@ -382,15 +405,10 @@ std::unique_ptr<TimeIntegrator> Driver::make_integrator(const Stage& stage) {
                                     Subcycled::Choice{explicit_damping(stage), stage.safety, stage.partition.substeps});
   } else {
     check_implicit(stage, *setup_, state_.explicit_side);
-    const ImplicitOptions options{stage.newmark,           stage.rest ? 0.0 : stage.dynamics, stage.damping,
-                                  stage.damp_rigid_motion, stage.stiffness_damping,           stage.sliding_damping};
-    if (stage.integrator == Integrator::implicit)
-      integrator = std::make_unique<Newmark>(*setup_, step_control_, detection_, options);
-    else
-      integrator =
-          std::make_unique<Partitioned>(*setup_, *methods_, state_, step_control_, detection_,
-                                        Partitioned::Choice{explicit_damping(stage), options, stage.safety,
-                                                            stage.partition.substeps, stage.partition.shared_contacts});
+    integrator = std::make_unique<Partitioned>(
+        *setup_, *methods_, state_, step_control_, detection_,
+        Partitioned::Choice{explicit_damping(stage), implicit_options(stage), stage.safety, stage.partition.substeps,
+                            stage.partition.shared_contacts});
   }
   if (plan_->audit) integrator->watch(&audit_);
   integrator->set_control(control_);
@@ -408,6 +426,7 @@ void Driver::observe() {
   if (stage.subcycled() || stage.integrator == Integrator::partitioned)
     for (const std::int32_t b : observer_->mesh().cell_block)
       fast_elements_ += state_.explicit_side[static_cast<std::size_t>(b)] != 0 ? 1.0 : 0.0;
+  count_awake_elements();
   stats_.unknowns = 0;
   for (const Body& b : setup_->bodies())
     if (!b.driven) stats_.unknowns += takes_explicit_steps(stage, b) ? 2 * b.nodes : setup_->pool_of(b).dofs(b.index);

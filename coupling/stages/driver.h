@@ -15,6 +15,8 @@
 #include "coupling/stages/method_rules.h"
 #include "coupling/stages/observer.h"
 #include "coupling/stages/rest_watch.h"
+#include "coupling/stages/sleep_audit.h"
+#include "coupling/stages/sleep_rules.h"
 #include "coupling/transfer/transfer.h"
 
 namespace scree::coupling {
@@ -72,10 +74,19 @@ class Driver {
   void change_partition(const Stage& stage);
   /// Changes the method of blocks that have become calm, or are hit.
   void change_methods(const Stage& stage);
+  /// Changes sides, sleep and methods of blocks by the rules of the stage, before a step.
+  void change_by_rules(const Stage& stage);
+  /// Changes which blocks are asleep.
+  void change_sleep(const Stage& stage);
+  /// Prepares the audit of the blocks that are asleep.
+  void audit_sleep(const Stage& stage);
   [[nodiscard]] bool takes_explicit_steps(const Stage& stage, const Body& b) const;
   /// Restores the setup, integrator and observer of a checkpoint's stage.
   void go_on();
+  void count_awake_elements();
   [[nodiscard]] std::unique_ptr<TimeIntegrator> make_integrator(const Stage& stage);
+  /// The same for one with steps of one kind and the bodies of a setup.
+  [[nodiscard]] std::unique_ptr<TimeIntegrator> make_plain(const Stage& stage, const Setup& setup) const;
   void observe();
   /// Passes the present mesh to the sinks, once.
   void show_mesh();
@@ -177,6 +188,8 @@ class Driver {
   std::unique_ptr<ForceBalance> balance_;      // of stages with rest_force
   std::unique_ptr<EndWatch> end_watch_;        // of stages with rules for their end
   std::unique_ptr<MethodRules> method_rules_;  // of stages with rules for methods
+  std::unique_ptr<SleepRules> sleep_rules_;    // of stages with sleep
+  std::unique_ptr<SleepAudit> sleep_audit_;    // while blocks are asleep, in an audited run
   BoltWatch bolt_watch_;
   bool ended_ = false;                       // the stage ended before its duration was over: at rest, or by a rule
   std::int64_t first_step_ = 0;              // of the stage
@@ -184,6 +197,7 @@ class Driver {
   std::vector<Vec2> stage_begin_;            // centres of mass at the beginning of the stage
   RestTrace rest_trace_;                     // of stages that run to rest
   double fast_elements_ = 0.0;               // number of elements whose internal force is evaluated at every substep
+  double awake_elements_ = 0.0;              // number of elements of blocks that take steps
   std::uint32_t mesh_ = 0, mesh_shown_ = 0;  // ids of the present mesh and of the one passed to the sinks
   Tick largest_ = 0;                         // largest allowed step; 0: not determined yet
   Tick end_ = 0, stage_end_ = 0;

@@ -24,6 +24,7 @@ void Driver::go_on() {
   travels_ = std::move(c.travels);
   warnings_ = std::move(c.warnings);
   rule_changes_ = std::move(c.rule_changes);
+  stats_ = c.stats;
   rule_changes_.resize(kRuleKinds * plan_->stages.size(), 0);  // the checkpoint may be of a run with fewer stages
   const Stage& stage = plan_->stages[static_cast<std::size_t>(state_.stage)];
   setup_ = std::make_unique<Setup>(*model_, *methods_, state_.bodies, slow_bodies(*model_, stage, state_.explicit_side),
@@ -31,11 +32,11 @@ void Driver::go_on() {
   integrator_ = make_integrator(stage);
   integrator_->resume(state_, c.integrator);
   bolt_watch_ = BoltWatch(state_);
-  stats_ = c.stats;
   if (stage.strength.used()) set_strength(stage, state_.time);
   end_ = latest_end();
   observe();
   watch_rules(stage);
+  audit_sleep(stage);
   from_.reset();
 }
 

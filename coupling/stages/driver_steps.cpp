@@ -142,6 +142,12 @@ Tick Driver::step_of_fastest() const {
   return step < 1.0 ? std::max<Tick>(1, ticks(step)) : std::numeric_limits<Tick>::max();
 }
 
+void Driver::change_by_rules(const Stage& stage) {
+  if (stage.integrator == Integrator::partitioned) change_partition(stage);
+  if (sleep_rules_) change_sleep(stage);
+  if (method_rules_) change_methods(stage);
+}
+
 void Driver::bound_step(const Stage& stage, bool due) {
   if (!due && largest_ != 0 && integrator_->step_still_stable()) return;
   // Events about the first step are sent once, although a stop may undo the step itself.
@@ -193,8 +199,7 @@ RunEnd Driver::advance_step(const Stage& stage) {
   bool due = steps_of_stage() % (stage.integrator == Integrator::partitioned ? kBoundLongSteps : kBoundSteps) == 0;
   for (;;) {
     if (control_ != nullptr && control_->stop_requested()) return stopped();
-    if (stage.integrator == Integrator::partitioned && steps_of_stage() > 0 && cuts == 0) change_partition(stage);
-    if (method_rules_ && steps_of_stage() > 0 && cuts == 0) change_methods(stage);
+    if (steps_of_stage() > 0 && cuts == 0) change_by_rules(stage);
     bound_step(stage, due);
     due = false;
     Tick h = 0;
@@ -208,8 +213,7 @@ RunEnd Driver::advance_step(const Stage& stage) {
         state_.step_limit.taken(h, iteration_of(report, stats_, fast_elements_, converged), largest_);
       stats_.left_work += report.left_work;
       if (!stage.has_implicit_steps())
-        stats_.element_steps +=
-            static_cast<double>(stats_.elements) + static_cast<double>(report.substeps - 1) * fast_elements_;
+        stats_.element_steps += awake_elements_ + static_cast<double>(report.substeps - 1) * fast_elements_;
       return after_step(stage);
     }
     ++stats_.cuts;
@@ -346,6 +350,7 @@ RunEnd Driver::check_closure(const Stage& stage) {
 RunEnd Driver::check_audit(const Stage& stage) {
   if (!plan_->audit) return {};
   complete_ledger();
+  if (sleep_audit_) sleep_audit_->check(state_.time, stage.sleep, audit_);
   const Ledger& ledger = state_.ledger;
   audit_.check(std::abs(ledger.closure()), kCloses * ledger.moved() + ledger.last_places(), [&] {
     return fmt::format("the energy ledger is open by {:.2g} J of the {:.2g} J moved", ledger.closure(), ledger.moved());

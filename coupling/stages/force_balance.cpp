@@ -15,11 +15,13 @@ ForceBalance::ForceBalance(const Setup& setup, const State& state)
       release_(setup, state),
       supports_(point_springs(setup, state)) {
   lever_.assign(static_cast<std::size_t>(setup.nodes()), 0.0);
+  for (auto* v : {&largest_of_, &least_of_, &ratio_}) v->assign(setup.bodies().size(), 0.0);
   for (std::size_t i = 0; i < setup.bodies().size(); ++i) {
     const Body& b = setup.bodies()[i];
     if (b.driven) continue;
     const double size = std::sqrt(state.bodies[i].shape.area);
-    least_ = std::max(least_, kNoStrain * setup.model().elasticity_of(b.block).p_modulus() * size);
+    least_of_[i] = kNoStrain * setup.model().elasticity_of(b.block).p_modulus() * size;
+    least_ = std::max(least_, least_of_[i]);
     const auto moves = setup.pool_of(b).translation(b.index);
     const auto first = static_cast<std::size_t>(b.first_node);
     for (std::size_t k = 0; k < static_cast<std::size_t>(b.nodes); ++k)
@@ -30,10 +32,17 @@ ForceBalance::ForceBalance(const Setup& setup, const State& state)
 void ForceBalance::take(std::vector<double>& term) {
   for (std::size_t p = 0; p < setup_->pools(); ++p)
     setup_->pool(p).fold_forces(setup_->part(std::span<double>(term), p));
-  for (std::size_t i = 0; i < term.size(); ++i) {
-    if (lever_[i / 2] == 0.0) continue;
-    largest_ = std::max(largest_, std::abs(term[i]) / lever_[i / 2]);
-    total_[i] += term[i];
+  for (std::size_t b = 0; b < setup_->bodies().size(); ++b) {
+    const Body& body = setup_->bodies()[b];
+    const auto first = 2 * static_cast<std::size_t>(body.first_node),
+               end = first + 2 * static_cast<std::size_t>(body.nodes);
+    double& largest = largest_of_[b];
+    for (std::size_t i = first; i < end; ++i) {
+      if (lever_[i / 2] == 0.0) continue;
+      largest = std::max(largest, std::abs(term[i]) / lever_[i / 2]);
+      total_[i] += term[i];
+    }
+    largest_ = std::max(largest_, largest);
   }
 }
 
@@ -41,6 +50,7 @@ ForceBalance::Result ForceBalance::measure(const State& state, const TimeIntegra
   const std::size_t n = state.q.size();
   total_.assign(n, 0.0);
   largest_ = 0.0;
+  std::fill(largest_of_.begin(), largest_of_.end(), 0.0);
   const auto term = [&](auto&& fill) {
     term_.assign(n, 0.0);
     fill(term_);
@@ -67,13 +77,16 @@ ForceBalance::Result ForceBalance::measure(const State& state, const TimeIntegra
   for (std::size_t i = 0; i < setup_->bodies().size(); ++i) {
     const Body& b = setup_->bodies()[i];
     const auto first = static_cast<std::size_t>(b.first_node), end = first + static_cast<std::size_t>(b.nodes);
-    for (std::size_t k = first; k < end; ++k) {
-      if (lever_[k] == 0.0) continue;
-      const double force = std::max(std::abs(total_[2 * k]), std::abs(total_[2 * k + 1])) / lever_[k];
-      if (force <= out.force) continue;
-      out.force = force;
-      out.body = BodyIndex::of(i);
-    }
+    double force = 0.0;
+    for (std::size_t k = first; k < end; ++k)
+      if (lever_[k] != 0.0)
+        force = std::max({force, std::abs(total_[2 * k]) / lever_[k], std::abs(total_[2 * k + 1]) / lever_[k]});
+    ratio_[i] = 0.0;
+    if (b.driven || state.sleep.asleep(i)) continue;
+    ratio_[i] = force / std::max(largest_of_[i], least_of_[i]);
+    if (force <= out.force) continue;
+    out.force = force;
+    out.body = BodyIndex::of(i);
   }
   out.ratio = out.force / std::max(largest_, least_);
   return out;

@@ -129,6 +129,21 @@ void read_transfer(const Section& s, bool first, coupling::Stage& stage) {
          "add transfer = \"strain-rate\", or remove transfer_cap");
 }
 
+void read_sleep(const Section& s, coupling::Stage& stage) {
+  stage.sleep = s.number("sleep");
+  const bool sleeps = stage.sleep > 0.0;
+  refuse(s, "sleep", sleeps && stage.integrator == Integrator::partitioned,
+         "blocks on two sides of a partitioned stage do not fall asleep", "0 in partitioned stages",
+         "remove the key, or set integrator = \"implicit\" or \"explicit\"");
+  refuse(s, "sleep", sleeps && stage.rest, "a stage that runs to rest ends where its blocks would fall asleep",
+         "0 in stages with rest", "remove one of the two");
+  refuse(s, "sleep", sleeps && stage.newmark == coupling::NewmarkScheme::trapezoidal,
+         "the trapezoidal scheme keeps accelerations and does not damp: nothing comes to rest", "0",
+         "remove the key, or newmark = \"trapezoidal\"");
+  refuse(s, "sleep", sleeps && s.has("switch"), "rules that change methods measure blocks that take steps", "0",
+         "remove sleep, or the stage's table switch");
+}
+
 void read_rest(const Section& s, coupling::Stage& stage) {
   stage.rest = s.boolean("rest");
   refuse(s, "rest", stage.rest && stage.integrator == Integrator::partitioned,
@@ -153,6 +168,7 @@ void read_stage_options(const Section& s, std::span<const std::string> used, boo
   read_damping(s, stage);
   read_rest(s, stage);
   read_newmark(s, stage);
+  read_sleep(s, stage);
   read_transfer(s, first, stage);
 }
 

@@ -27,6 +27,7 @@ constexpr Range kSeed{.low = 0.0, .high = 2147483647.0};
 constexpr Range kSafety{.low = 0.0, .high = 1.0, .low_open = true};
 constexpr Range kBelowOneOpen{.low = 0.0, .high = 1.0, .low_open = true, .high_open = true};
 constexpr Range kBelowOne{.low = 0.0, .high = 1.0, .high_open = true};
+constexpr Range kSleep{.low = 0.0, .high = 1e-3};
 constexpr Range kCap{.low = 1.0, .high = 100.0};
 constexpr Range kCount{.low = 1.0, .high = 2147483647.0};
 constexpr Range kIndex{.low = 0.0, .high = 2147483647.0};
@@ -635,6 +636,11 @@ constexpr Key kKeys[] = {
      "change state are not counted."},
     {"stage[].max_displacement", Type::number_or_auto, "m", kPositive, "\"auto\"", false, "",
      "Largest displacement in a step. \"auto\" is a hundredth of the width of the smallest block."},
+    {"stage[].sleep", Type::number, "", kSleep, "0.0", false, "",
+     "Blocks at rest take no steps until something acts on them: the largest motion of a block, relative to its "
+     "elastic compression, at which the blocks around it and itself may fall asleep (1e-8: results agree to about "
+     "that). They wake as another block comes near, a load or the motion below them changes, and with the next "
+     "stage. 0: all blocks take all steps."},
     {"stage[].explicit_blocks", Type::names, "", kAny, "", false, "",
      "Partitioned stages: names of the blocks that take explicit steps; * stands for any characters. Patterns "
      "skip blocks that are held whole. At least one key explicit_... is required."},

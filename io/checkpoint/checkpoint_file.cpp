@@ -18,7 +18,7 @@ namespace scree::io {
 namespace {
 
 constexpr std::string_view kMagic = "SCREE-CP";
-constexpr std::uint32_t kFormat = 9, kByteOrder = 0x01020304;
+constexpr std::uint32_t kFormat = 10, kByteOrder = 0x01020304;
 constexpr std::size_t kDigest = 64, kHead = kMagic.size() + 2 * sizeof(std::uint32_t) + sizeof(std::uint64_t);
 
 struct Head {

@@ -58,6 +58,8 @@ void add_run(Json& json, const coupling::RunStats& stats, double wall, double cp
   json["unknowns"] = stats.unknowns;
   json["element_steps_per_second"] = stats.wall_explicit > 0.0 ? stats.element_steps / stats.wall_explicit : 0.0;
   json["contacts"] = stats.contacts;
+  json["asleep"] = stats.asleep;
+  json["sleep_momentum"] = stats.sleep_momentum;
 }
 
 Json ledger_json(const Ledger& ledger) {

@@ -18,7 +18,8 @@ namespace scree::io {
 ///   reason, final_time, end_time, state_hash (16 hexadecimal digits), stage, steps, cuts, open_close_passes,
 ///   newton_iterations, contact_switches, factorisations, factor_updates (rank 1 each), corrections (solutions with a
 ///   factor of another matrix), block_iterations (those with an incomplete factor of blocks), incomplete_factors,
-///   local_passes (of clusters of bodies), fallbacks (from blocks to a complete factor), audit {checks, worst} (in
+///   local_passes (of clusters of bodies), fallbacks (from blocks to a complete factor), asleep (blocks at
+///   the end), sleep_momentum (of blocks as they fell asleep, summed [N s]), audit {checks, worst} (in
 ///   audited runs), wall_seconds {explicit, implicit, output, total}, cpu_seconds, threads, peak_memory_bytes,
 ///   blocks_count, elements, unknowns, element_steps_per_second, contacts, ledger {columns {energy {...}, work {...},
 ///   dissipated {...}, scheme {...}}, energy, closure, moved,

@@ -77,6 +77,26 @@ def wall(courses, integrator, shaken=False, apart=False, settle=True):
     return "".join(lines)
 
 
+def piles(integrator, sleep, piles=20):
+    """Piles of 52 blocks of 1 x 0.5 m on a held base; those of the first are accelerated to and fro (2 Hz, 4 m/s2)."""
+    lines = [HEAD.format(young=5), 'support = [{ block = "base" }]\n',
+             f'function.shake = {{ shape = "sine", frequency = 2.0, start = {SETTLED}, duration = 100.0 }}\n']
+    blocks = [("base", [(-5.0, -2.0), (15.0 * piles, -2.0), (15.0 * piles, 0.0), (-5.0, 0.0)])]
+    for p in range(piles):
+        for j in range(8):
+            for i in range(10 - j):
+                x, y = 15.0 * p + i + 0.5 * j, 0.5 * j
+                blocks.append((f"p{p}-{j}-{i}", [(x, y), (x + 1.0, y), (x + 1.0, y + 0.5), (x, y + 0.5)]))
+    for name, ring in blocks:
+        lines.append(f'[[block]]\nname = "{name}"\nmaterial = "rock"\npolygon = {[list(p) for p in ring]}\n')
+    lines.append('[[body_acceleration]]\nblocks = ["p0-*"]\nacceleration = [4.0, 0.0]\nfunction = "shake"\n')
+    lines.append(f'[[stage]]\nname = "settle"\nmethod = "dda"\nintegrator = "implicit"\ndt = 0.02\nduration = {SETTLED}\nrest = true\n')
+    dt = "\"auto\"" if integrator == "explicit" else "0.001"
+    lines.append(f'[[stage]]\nname = "steps"\nmethod = "dda"\nintegrator = "{integrator}"\ndt = {dt}\nduration = 1.0\nsleep = {sleep}\n')
+    lines.append("[output]\nevery = 10.0\nhistory_every = 10.0\n")
+    return "".join(lines)
+
+
 def mesh(cover):
     """A held block and one with a mesh on it."""
     return HEAD.format(young=5) + f"""

@@ -212,6 +212,26 @@ def partitioned(table):
         table.rounds(lambda p, f=figure, c=case, n=name: f.add(p, p.run(c, n)[0][0]))
 
 
+def sleeping(table):
+    """Steps of 20 piles of 52 blocks, one of which is shaken: 19 asleep, against all awake."""
+    program = table.programs[0]
+    for kind, asleep, short, long in (("explicit", 0.05, 0.002, 0.03), ("implicit", 0.3, 0.005, 0.105)):
+        names = {}
+        for sleep in ("1e-6", "0.0"):
+            names[sleep] = f"piles-{kind}-{sleep}"
+            program.run(table.case(names[sleep], bench_cases.piles(kind, sleep)), names[sleep], "--until", bench_cases.SETTLED + asleep)
+        step = table.figure(f"{kind} DDA, 1,040 blocks in 20 piles, 19 asleep: a step", "ms")
+        share = table.figure(f"{kind} DDA, 1,040 blocks in 20 piles, 19 asleep: of a step with all awake", "%", 15)
+        for _ in range(table.repeats):
+            of = {}
+            for sleep, name in names.items():
+                (a, _), first = program.resumed(name, bench_cases.SETTLED + asleep + short)
+                (b, _), second = program.resumed(name, bench_cases.SETTLED + asleep + long)
+                of[sleep] = (b - a) / (second["steps"] - first["steps"])
+            step.add(program, 1e3 * of["1e-6"])
+            share.add(program, 100.0 * of["1e-6"] / of["0.0"])
+
+
 def jinping(table):
     """Whole-process CPU of the staged run, and the share of output: the difference to the same run without frames."""
     case = ROOT / "cases/jinping/case.toml"
@@ -320,7 +340,7 @@ def large(table):
 
 
 ROWS = {"explicit": explicit_wall, "points": explicit_points, "slope": slope, "implicit": implicit_wall, "box2d": box2d, "growth": implicit_growth,
-        "partitioned": partitioned, "jinping": jinping, "two-blocks": two_blocks, "memory": memory, "threads": threads, "large": large}
+        "partitioned": partitioned, "sleeping": sleeping, "jinping": jinping, "two-blocks": two_blocks, "memory": memory, "threads": threads, "large": large}
 
 
 # --- what is printed and kept --------------------------------------------------------------------------------------

@@ -133,7 +133,7 @@ void dump_plan(Dump& d, const coupling::Plan& p) {
     d.line("  kinematics {} mass {} cracks {} rigid {} stiffness {} local {} newmark {} dynamics {} rest {} {}",
            static_cast<int>(s.kinematics), s.mass ? static_cast<int>(*s.mass) : -1, s.cracks, s.damp_rigid_motion,
            s.stiffness_damping, s.local_damping, static_cast<int>(s.newmark), s.dynamics, s.rest_force, s.rest_steps);
-    d.line("  sliding {}", s.sliding_damping);
+    d.line("  sliding {} sleep {}", s.sliding_damping, s.sleep);
     const coupling::Partition& sides = s.partition;
     d.line("  area {} speed {} {} strain rate {} {} substeps {}", sides.explicit_area, sides.speed.up, sides.speed.down,
            sides.strain_rate.up, sides.strain_rate.down, sides.substeps);

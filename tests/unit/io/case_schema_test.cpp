@@ -234,6 +234,7 @@ const std::map<std::string, std::string> kChange = {
     {"stage[].damp_rigid_motion", "stage.0.damp_rigid_motion=false"},
     {"stage[].stiffness_damping", "stage.0.stiffness_damping=1e-5"},
     {"stage[].local_damping", "stage.0.local_damping=0.8"},
+    {"stage[].sleep", "stage.0.sleep=1e-5"},
     {"stage[].newmark", "stage.1.newmark=\"damped\""},
     {"stage[].dynamics", "stage.1.dynamics=0.5"},
     {"stage[].transfer", "stage.2.transfer=\"reservoir\""},

@@ -1,0 +1,77 @@
+// Which blocks fall asleep, and which wake.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "coupling/stages/force_balance.h"
+
+namespace scree::coupling {
+
+class BoxTree;
+
+/// A block is at rest if its unbalanced force is below `tolerance` times the largest single force on it, and its
+/// kinetic energy below tolerance^2 times the elastic energy of it and its contacts: then it moves by no more than
+/// about that fraction of its elastic compression. Islands are blocks that are within reach of each other, or joined by
+/// bolts; held and driven blocks join nothing. An island of blocks that were at rest for kChecks checks, kEvery steps
+/// apart, falls asleep. It wakes before a step in which
+///   - a block that is awake, or a driven one that moves, comes within reach of it (twice the detection distance,
+///     between boxes around edges),
+///   - a load's time function or the motion of a viscous edge changes that acts on one of its blocks.
+/// Changes of supports, water, bolts, strengths and methods are stages, at whose beginning all blocks are awake; while
+/// a stage releases forces or changes strengths no block falls asleep.
+/// @source docs/theory/time-integration.md, "Sleep"
+class SleepRules {
+ public:
+  static constexpr std::int64_t kEvery = 32;  // steps
+  static constexpr std::int32_t kChecks = 8;
+
+  struct Change {
+    std::vector<std::size_t> fell, woke;  // bodies
+    std::string cause;                    // of the first island that wakes
+  };
+  /// @param stage,setup  outlive it   @param detection  [m]
+  SleepRules(const Stage& stage, const Setup& setup, const State& state, double detection);
+  SleepRules(const SleepRules&) = delete;
+  SleepRules& operator=(const SleepRules&) = delete;
+  ~SleepRules();
+  /// Evaluates the rules before a step, once, and sets State::sleep. Velocities stay.
+  /// @param until  end of the next step, at least
+  [[nodiscard]] std::optional<Change> evaluate(State& state, const TimeIntegrator& integrator, Tick until);
+
+ private:
+  /// A time function or a motion that acts on some bodies.
+  struct Source {
+    FunctionId function;
+    MotionId motion;
+    std::vector<BlockId> blocks;  // empty: all
+  };
+  void find_sources();
+  [[nodiscard]] bool changes(const Source& source, Tick from, Tick to) const;
+  [[nodiscard]] bool drives(const Body& b, Tick from, Tick to) const;
+  /// Wakes islands on whose blocks something acts.
+  void wake(State& state, Tick until, Change& change);
+  void wake_island_of(State& state, std::size_t body, Change& change, const std::string& cause) const;
+  void wake_near(State& state, Tick from, Tick to, Change& change);
+  [[nodiscard]] Box box_of(EdgeIndex edge, std::span<const double> q) const;
+  /// Puts the edges of blocks that are asleep in the tree.
+  void plant(const State& state);
+  void count_calm(State& state, const TimeIntegrator& integrator);
+  void fall_asleep(State& state, Change& change);
+
+  const Stage* stage_;
+  const Setup* setup_;
+  double reach_;  // [m]
+  ForceBalance balance_;
+  std::vector<Source> sources_;
+  std::vector<std::size_t> first_edge_;  // per body, and the end
+  std::unique_ptr<BoxTree> tree_;        // of the boxes below; the last one is a query
+  std::vector<Box> boxes_;
+  std::vector<EdgeIndex> planted_;
+};
+
+}  // namespace scree::coupling
