@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "tests/support/by_hand.h"
@@ -114,6 +115,43 @@ TEST(AwakeSide, contact_forces_are_those_of_the_blocks_that_are_awake) {
       if (!b.driven) {
         EXPECT_EQ(awake[i], at.hand->state.sleep.asleep(b.block.index()) ? 0.0 : all[i]);
       }
+}
+
+TEST(AwakeSide, contacts_that_begin_and_end_are_in_the_order_of_their_keys) {
+  Scene scene(5e9, 0.2, 2500.0, 10.0);
+  scene.add("left", rectangle(-3.0, -1.0, 0.0, 0.0), true);
+  const BlockId slider = scene.add("slider", rectangle(-0.7, 0.0, -0.2, 0.5));
+  scene.add("right", rectangle(0.0, -1.0, 9.0, 0.0), true);
+  scene.add("low", rectangle(4.0, 0.0, 5.0, 0.5));
+  scene.add("high", rectangle(4.0, 0.5, 5.0, 1.0));
+  scene.model.initial_velocities.push_back({slider, {3.0, 0.0}, 0.0});
+  scene.stage("dda", Integrator::explicit_, 1.0, 5e-5);
+  ByHand one(scene.model, scene.plan.stages[0]), two(scene.model, scene.plan.stages[0]);
+  const std::unique_ptr<TimeIntegrator> first = explicit_steps(*two.setup);
+  first->enter(two.state);  // for the contacts of the stack
+  two.state.contacts.forget_points();
+  two.state.sleep.island = {-1, -1, -1, 3, 3};
+  const std::unique_ptr<TimeIntegrator> all = explicit_steps(*one.setup);
+  AwakeSide awake(*two.setup, two.methods, two.state, StrengthPlan{}, 1.0, explicit_steps);
+  all->enter(one.state);
+  awake.enter(two.state);
+  const auto keys = [](const State& state, std::int32_t of) {
+    std::vector<ContactKey> out;
+    for (const ContactMemory& m : state.contacts)
+      if (of < 0 || m.key.block_p == of || m.key.block_e == of) out.push_back(m.key);
+    return out;
+  };
+  bool changed = false;
+  for (int i = 0; i < 6000; ++i) {
+    const std::vector<ContactKey> before = keys(two.state, -1);
+    ASSERT_EQ(all->step(one.state, ticks(5e-5)).status, StepReport::Status::ok);
+    ASSERT_EQ(awake.step(two.state, ticks(5e-5)).status, StepReport::Status::ok);
+    const std::vector<ContactKey> after = keys(two.state, -1);
+    ASSERT_TRUE(std::is_sorted(after.begin(), after.end())) << i;
+    ASSERT_EQ(keys(two.state, slider.value), keys(one.state, slider.value)) << i;
+    changed = changed || after != before;
+  }
+  EXPECT_TRUE(changed);
 }
 
 TEST(AwakeSide, a_step_that_fails_leaves_the_state) {

@@ -63,7 +63,7 @@ double step_of(const Scheme& scheme) { return scheme.implicit() ? 1e-3 : 5e-5; }
 
 struct Ran {
   std::vector<Vec2> centre, moved;  // per block [m]
-  double closure = 0.0, fell_asleep = 0.0, momentum = 0.0, audit = 0.0;
+  double closure = 0.0, fell_asleep = 0.0, momentum = 0.0, audit = 0.0, moves = 0.0;
   std::int64_t asleep = 0;
   Times told;
 };
@@ -79,6 +79,7 @@ Ran run(Scene scene, double sleep, bool audit = false) {
   EXPECT_EQ(end.status, RunEnd::Status::done) << end.reason;
   for (std::size_t i = 0; i < scene.model.blocks.size(); ++i) {
     out.centre.push_back(centre_of(driver, BlockId{static_cast<std::int32_t>(i)}));
+    out.moves = std::max(out.moves, totals_of(driver, BlockId{static_cast<std::int32_t>(i)}).momentum.norm());
     out.moved.push_back(out.centre.back() - moments(scene.model.blocks[i].polygon).centroid);
   }
   out.closure = driver.state().ledger.relative_closure();
@@ -116,6 +117,7 @@ TEST_P(Sleep, agrees_with_never_sleeping_after_100000_steps) {
   EXPECT_GT(slept.told.asleep_steps, 0.5 * steps);
   EXPECT_LT(difference(slept, never, 4), 1e-8);
   EXPECT_LT(slept.closure, 1e-12);
+  EXPECT_EQ(slept.moves, 0.0);
   EXPECT_GT(slept.fell_asleep, 0.0);
   EXPECT_LT(slept.fell_asleep, 1e-15);
 }
@@ -244,6 +246,15 @@ TEST(SleepExplicit, blocks_that_are_awake_take_the_same_steps) {
     EXPECT_EQ(slept.centre[i].x(), never.centre[i].x());
     EXPECT_EQ(slept.centre[i].y(), never.centre[i].y());
   }
+}
+
+TEST(SleepExplicit, the_ledger_closes_where_blocks_fall_asleep_with_a_part_of_their_forces) {
+  Stacks scene(2);
+  add_stage(scene, kSchemes[0], 0.5, 5e-5, 0.0);
+  const Ran slept = run(scene, 1e-3);
+  EXPECT_EQ(slept.asleep, 4);
+  EXPECT_GT(slept.fell_asleep, 1e-12);
+  EXPECT_LT(slept.closure, 1e-14);
 }
 
 /// Keeps checkpoints after some steps.
