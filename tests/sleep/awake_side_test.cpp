@@ -4,8 +4,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
+#include "coupling/bolts/bolt_rows.h"
+#include "tests/support/bolted.h"
 #include "tests/support/by_hand.h"
 
 namespace scree::test::awake_side_test {
@@ -98,6 +101,50 @@ TEST(AwakeSide, keeps_the_contacts_of_blocks_that_are_asleep_and_their_energies)
   for (const Column c : {Column::elastic, Column::contact_springs})
     EXPECT_NEAR(state.ledger[c] / again.hand->state.ledger[c], 1.0, 1e-5) << info(c).name;
   EXPECT_EQ(state.ledger[Column::prescribed_motion], 0.0);
+}
+
+TEST(AwakeSide, energies_of_supports_bolts_and_in_situ_stress_stay_in_the_ledger) {
+  Bolted scene(30.0, 1e9);
+  scene.model.materials[0].initial_stress = InitialStress{-1e5 * Mat2::Identity()};
+  const BlockId held = scene.add("held", rectangle(0.0, 0.0, 1.0, 1.0)),
+                hung = scene.add("hung", rectangle(3.0, 0.0, 4.0, 1.0)),
+                tied = scene.add("tied", rectangle(4.2, 0.0, 5.2, 1.0));
+  scene.add("free", rectangle(9.0, 0.0, 10.0, 1.0));
+  scene.model.edge_supports.push_back({{held, {0, 0}}, Mat2::Identity(), {}});
+  scene.model.point_supports.push_back({hung, {3.0, 1.0}, true, true, {}});
+  scene.model.point_supports.push_back({tied, {5.0, 0.5}, true, true, {}});
+  scene.bolt(bar({3.5, 0.5}, {4.7, 0.5}));
+  scene.model.bolts[0].pretension = 1e5;
+  scene.stage("dda", Integrator::explicit_, 1.0, 5e-5, 0.5).rules.push_back({{held}, "nmm"});
+  ByHand hand(scene.model, scene.plan.stages[0]);
+  State& state = hand.state;
+  state.bolts.resize(1);
+  install_bolts(*hand.setup, state);
+  const std::unique_ptr<TimeIntegrator> whole = explicit_steps(*hand.setup);
+  whole->enter(state);
+  for (int i = 0; i < 50; ++i) ASSERT_EQ(whole->step(state, ticks(5e-5)).status, StepReport::Status::ok);
+  state.sleep.island = {0, 1, 1, -1};
+  for (const std::size_t b : {0U, 1U, 2U}) {
+    const Body& body = hand.setup->bodies()[b];
+    std::fill_n(state.v.begin() + 2 * body.first_node, 2 * body.nodes, 0.0);
+  }
+  whole->update_ledger(state);
+  const auto others = [&](Column c) {  // of all but the block that is awake, which expands
+    return state.ledger[c] - (c == Column::elastic ? hand.totals(hand.setup->bodies()[3]).elastic : 0.0);
+  };
+  const std::array columns{Column::elastic, Column::support_springs, Column::bolts};
+  std::vector<double> before;
+  for (const Column c : columns) before.push_back(others(c));
+  state.contacts.forget_points();
+  AwakeSide awake(*hand.setup, hand.methods, state, StrengthPlan{}, 1.0, explicit_steps);
+  awake.enter(state);
+  for (int i = 0; i < 50; ++i) ASSERT_EQ(awake.step(state, ticks(5e-5)).status, StepReport::Status::ok);
+  awake.update_ledger(state);
+  for (std::size_t i = 0; i < columns.size(); ++i) {
+    EXPECT_GT(before[i], 0.1) << info(columns[i]).name;
+    EXPECT_NEAR(others(columns[i]) / before[i], 1.0, 1e-12) << info(columns[i]).name;
+  }
+  EXPECT_GT(state.ledger[Column::kinetic], 1.0);  // of the block that falls
 }
 
 TEST(AwakeSide, contact_forces_are_those_of_the_blocks_that_are_awake) {

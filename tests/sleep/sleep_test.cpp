@@ -228,6 +228,18 @@ TEST(SleepStages, begin_with_all_blocks_awake) {
   EXPECT_EQ(slept.asleep, 0);  // a stage of 200 steps is too short
 }
 
+/// A stage that ends once forces balance ends at the same time with blocks asleep.
+TEST(SleepStages, that_end_by_a_balance_of_forces_leave_out_blocks_that_are_asleep) {
+  Stacks scene(2);
+  Stage& stage = add_stage(scene, kSchemes[0], 2.0, 5e-5, 0.0);
+  stage.end.force_below = 1e-4;
+  stage.end.hold = ticks(0.5);
+  const Ran never = run(scene, 0.0), slept = run(scene, 1e-8);
+  EXPECT_GT(slept.told.asleep_steps, 5000);
+  EXPECT_LT(slept.told.steps, 20000);
+  EXPECT_EQ(slept.told.steps, never.told.steps);
+}
+
 /// In the other stack nothing changes to the last bit, whatever is asleep.
 TEST(SleepExplicit, blocks_that_are_awake_take_the_same_steps) {
   Stacks scene(2);
