@@ -152,7 +152,9 @@ void Driver::bound_step(const Stage& stage, bool due) {
   if (!due && largest_ != 0 && integrator_->step_still_stable()) return;
   // Events about the first step are sent once, although a stop may undo the step itself.
   const Tick found = largest_step(stage, steps_of_stage() == 0 && largest_ == 0);
-  if (largest_ == 0 || found < largest_ || seconds(found) > kGrowsBy * seconds(largest_)) largest_ = found;
+  // Blocks that are asleep bind no step, but loads that wake them are seen at the ends of steps only.
+  const bool grows = stats_.asleep == 0 && seconds(found) > kGrowsBy * seconds(largest_);
+  if (largest_ == 0 || found < largest_ || grows) largest_ = found;
 }
 
 void Driver::set_strength(const Stage& stage, Tick time) {

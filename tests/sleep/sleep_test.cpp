@@ -260,6 +260,23 @@ TEST(SleepExplicit, blocks_that_are_awake_take_the_same_steps) {
   }
 }
 
+TEST(SleepExplicit, an_automatic_step_does_not_grow_over_a_pulse_while_all_blocks_are_asleep) {
+  Stacks scene(1);
+  TimeFunction f;
+  f.name = "pulse";
+  f.shape = TimeFunction::Shape::half_sine;
+  f.start = 0.7;
+  f.duration = 0.01;
+  scene.model.functions.push_back(f);
+  scene.model.point_loads.push_back({scene.high[0], {0.5, 1.0}, {0.0, -5000.0}, FunctionId{0}});
+  scene.stage("dda", Integrator::explicit_, 1.2, std::nullopt);
+  const Ran never = run(scene, 0.0), slept = run(scene, 1e-8);
+  ASSERT_EQ(slept.told.woke.size(), 1U);
+  EXPECT_NEAR(slept.told.woke[0], 0.7, 1e-4);
+  EXPECT_EQ(slept.asleep, 2);
+  EXPECT_NEAR(static_cast<double>(slept.told.steps), static_cast<double>(never.told.steps), 2.0);
+}
+
 TEST(SleepExplicit, the_ledger_closes_where_blocks_fall_asleep_with_a_part_of_their_forces) {
   Stacks scene(2);
   add_stage(scene, kSchemes[0], 0.5, 5e-5, 0.0);
