@@ -187,7 +187,7 @@ StepReport AwakeSide::step(State& state, Tick ticks_of_step) {
   opened_ = true;
   if (audit_ != nullptr) integrator_->watch(audit_);
   std::swap(side_.factored, state.factored);
-  const StepReport report = integrator_->step(side_, ticks_of_step);
+  StepReport report = integrator_->step(side_, ticks_of_step);
   std::swap(side_.factored, state.factored);
   if (report.status == StepReport::Status::ok) join(state);
   return report;

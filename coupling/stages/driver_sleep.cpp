@@ -41,6 +41,7 @@ void Driver::change_sleep(const Stage& stage) {
   audit_sleep(stage);
   const auto names = [&](const std::vector<std::size_t>& bodies) {
     std::vector<BlockId> blocks;
+    blocks.reserve(bodies.size());
     for (const std::size_t b : bodies) blocks.push_back(setup_->bodies()[b].block);
     return named_blocks(*model_, blocks);
   };

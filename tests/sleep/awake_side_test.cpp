@@ -134,6 +134,7 @@ TEST(AwakeSide, energies_of_supports_bolts_and_in_situ_stress_stay_in_the_ledger
   };
   const std::array columns{Column::elastic, Column::support_springs, Column::bolts};
   std::vector<double> before;
+  before.reserve(columns.size());
   for (const Column c : columns) before.push_back(others(c));
   state.contacts.forget_points();
   AwakeSide awake(*hand.setup, hand.methods, state, StrengthPlan{}, 1.0, explicit_steps);

@@ -16,7 +16,7 @@ using namespace coupling;
 
 /// Blocks of 1 x 1 m in space without gravity, at `x` along a line.
 struct Line final : Scene {
-  explicit Line(std::vector<double> at) : Scene(1e9, 0.2, 2000.0) {
+  explicit Line(const std::vector<double>& at) : Scene(1e9, 0.2, 2000.0) {
     model.gravity = {0.0, 0.0};
     for (const double x : at) add("b" + std::to_string(model.blocks.size()), rectangle(x, 0.0, x + 1.0, 1.0));
     stage("dda", Integrator::explicit_, 1.0, 1e-4).sleep = 1e-3;

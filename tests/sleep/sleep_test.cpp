@@ -68,7 +68,8 @@ struct Ran {
   Times told;
 };
 
-Ran run(Scene scene, double sleep, bool audit = false) {
+Ran run(const Scene& given, double sleep, bool audit = false) {
+  Scene scene = given;
   for (Stage& stage : scene.plan.stages) stage.sleep = sleep;
   scene.plan.audit = audit;
   Driver driver(scene.model, scene.plan, methods());
@@ -87,7 +88,7 @@ Ran run(Scene scene, double sleep, bool audit = false) {
   out.momentum = driver.stats().sleep_momentum;
   out.asleep = driver.stats().asleep;
   out.audit = driver.stats().audit_worst;
-  out.told = told;
+  out.told = static_cast<const Times&>(told);
   return out;
 }
 
