@@ -78,6 +78,7 @@ struct SleepMemory {
   std::vector<std::int32_t> calm;  // per body: successive checks at rest; empty: there has been no check
   Tick seen = 0;                   // loads and motions are known to be constant for sleeping blocks up to this time
   std::int64_t evaluated = -1;     // step at which the rules were evaluated last
+  std::int64_t fell = 0;           // step at which blocks fell asleep last
   [[nodiscard]] bool asleep(std::size_t body) const { return !island.empty() && island[body] >= 0; }
   /// As State::visit().
   template <class Visitor>
@@ -86,6 +87,7 @@ struct SleepMemory {
     see("sleep.calm", calm);
     see("sleep.seen", seen);
     see("sleep.evaluated", evaluated);
+    see("sleep.fell", fell);
   }
 };
 

@@ -103,19 +103,23 @@ void SleepRules::plant(const State& state) {
   tree_ = std::make_unique<BoxTree>(boxes_);
 }
 
-void SleepRules::wake_island_of(State& state, std::size_t body, Change& change, const std::string& cause) const {
-  const std::int32_t island = state.sleep.island[body];
-  if (island < 0) return;
-  if (change.woke.empty()) change.cause = cause;
+void SleepRules::mark(const State& state, std::size_t body, Change& change, const std::string& cause) {
+  if (change.cause.empty()) change.cause = cause;
+  marked_[static_cast<std::size_t>(state.sleep.island[body])] = 1;
+}
+
+void SleepRules::wake_marked(State& state, Change& change) {
+  if (change.cause.empty()) return;
   for (std::size_t b = 0; b < state.sleep.island.size(); ++b) {
-    if (state.sleep.island[b] != island) continue;
-    state.sleep.island[b] = -1;
+    std::int32_t& island = state.sleep.island[b];
+    if (island < 0 || marked_[static_cast<std::size_t>(island)] == 0) continue;
+    island = -1;
     state.sleep.calm[b] = 0;
     change.woke.push_back(b);
   }
 }
 
-void SleepRules::wake_near(State& state, Tick from, Tick to, Change& change) {
+void SleepRules::wake_near(const State& state, Tick from, Tick to, Change& change) {
   const Outlines& o = setup_->outlines();
   const std::size_t query = planted_.size();
   std::vector<Box> own;
@@ -140,31 +144,34 @@ void SleepRules::wake_near(State& state, Tick from, Tick to, Change& change) {
       if (std::any_of(own.begin(), own.end(), [&](const Box& box) { return overlap(box, boxes_[i]); }))
         hit.push_back(o.edges[planted_[i]].body.index());
     });
-    std::sort(hit.begin(), hit.end());
-    for (const std::size_t asleep : hit)
-      wake_island_of(state, asleep, change,
-                     fmt::format("block '{}' {}", setup_->model().blocks[body.block.index()].name,
-                                 body.driven ? "moves" : "comes near"));
+    if (hit.empty()) continue;
+    const std::string cause = fmt::format("block '{}' {}", setup_->model().blocks[body.block.index()].name,
+                                          body.driven ? "moves" : "comes near");
+    for (const std::size_t asleep : hit) mark(state, asleep, change, cause);
   }
+}
+
+std::string SleepRules::cause_of(const Source& source) const {
+  if (!source.function.valid()) return "the motion of a viscous edge";
+  return fmt::format("the load of function '{}' changes", setup_->model().functions[source.function.index()].name);
 }
 
 void SleepRules::wake(State& state, Tick until, Change& change) {
   SleepMemory& sleep = state.sleep;
   const Tick from = sleep.seen, to = std::max(until, from);
   sleep.seen = to;
+  marked_.assign(setup_->bodies().size(), 0);
   for (const Source& source : sources_) {
     if (!changes(source, from, to)) continue;
     const auto act = [&](std::size_t b) {
       sleep.calm[b] = 0;
-      wake_island_of(state, b, change,
-                     source.function.valid() ? fmt::format("the load of function '{}' changes",
-                                                           setup_->model().functions[source.function.index()].name)
-                                             : std::string("the motion of a viscous edge"));
+      if (sleep.asleep(b)) mark(state, b, change, cause_of(source));
     };
     for (const BlockId b : source.blocks) act(b.index());
     for (std::size_t b = 0; source.blocks.empty() && b < sleep.calm.size(); ++b) act(b);
   }
   if (tree_ != nullptr) wake_near(state, from, to, change);
+  wake_marked(state, change);
 }
 
 void SleepRules::count_calm(State& state, const TimeIntegrator& integrator) {
@@ -226,11 +233,17 @@ void SleepRules::fall_asleep(State& state, Change& change) {
     }
   for (std::size_t b = 0; b < bodies.size(); ++b)
     if (steps(b) && (sleep.calm[b] < kChecks || awake[b] != 0)) awake[islands.of(b)] = 1;
+  std::size_t stepping = 0;
   for (std::size_t b = 0; b < bodies.size(); ++b) {
-    if (!steps(b) || awake[islands.of(b)] != 0) continue;
-    sleep.island[b] = static_cast<std::int32_t>(islands.of(b));
-    change.fell.push_back(b);
+    if (!steps(b)) continue;
+    ++stepping;
+    if (awake[islands.of(b)] == 0) change.fell.push_back(b);
   }
+  const bool few = static_cast<double>(change.fell.size()) < kShare * static_cast<double>(stepping);
+  if (few && state.step - sleep.fell < kPatience) change.fell.clear();
+  if (change.fell.empty()) return;
+  sleep.fell = state.step;
+  for (const std::size_t b : change.fell) sleep.island[b] = static_cast<std::int32_t>(islands.of(b));
 }
 
 std::optional<SleepRules::Change> SleepRules::evaluate(State& state, const TimeIntegrator& integrator, Tick until) {

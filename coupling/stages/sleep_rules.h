@@ -18,7 +18,8 @@ class BoxTree;
 /// kinetic energy below tolerance^2 times the elastic energy of it and its contacts: then it moves by no more than
 /// about that fraction of its elastic compression. Islands are blocks that are within reach of each other, or joined by
 /// bolts; held and driven blocks join nothing. An island of blocks that were at rest for kChecks checks, kEvery steps
-/// apart, falls asleep. It wakes before a step in which
+/// apart, falls asleep; a small one (less than kShare of the blocks that are awake) waits until kPatience steps have
+/// passed since others did, since each change makes the bodies that are awake anew. It wakes before a step in which
 ///   - a block that is awake, or a driven one that moves, comes within reach of it (twice the detection distance,
 ///     between boxes around edges),
 ///   - a load's time function or the motion of a viscous edge changes that acts on one of its blocks.
@@ -29,6 +30,8 @@ class SleepRules {
  public:
   static constexpr std::int64_t kEvery = 32;  // steps
   static constexpr std::int32_t kChecks = 8;
+  static constexpr double kShare = 0.05;
+  static constexpr std::int64_t kPatience = 1024;  // steps
 
   struct Change {
     std::vector<std::size_t> fell, woke;  // bodies
@@ -55,8 +58,12 @@ class SleepRules {
   [[nodiscard]] bool drives(const Body& b, Tick from, Tick to) const;
   /// Wakes islands on whose blocks something acts.
   void wake(State& state, Tick until, Change& change);
-  void wake_island_of(State& state, std::size_t body, Change& change, const std::string& cause) const;
-  void wake_near(State& state, Tick from, Tick to, Change& change);
+  void wake_near(const State& state, Tick from, Tick to, Change& change);
+  /// Why a source wakes a block.
+  [[nodiscard]] std::string cause_of(const Source& source) const;
+  /// Marks the island of a body that is asleep.
+  void mark(const State& state, std::size_t body, Change& change, const std::string& cause);
+  void wake_marked(State& state, Change& change);
   [[nodiscard]] Box box_of(EdgeIndex edge, std::span<const double> q) const;
   /// Puts the edges of blocks that are asleep in the tree.
   void plant(const State& state);
@@ -72,6 +79,7 @@ class SleepRules {
   std::unique_ptr<BoxTree> tree_;        // of the boxes below; the last one is a query
   std::vector<Box> boxes_;
   std::vector<EdgeIndex> planted_;
+  std::vector<char> marked_;  // per island: 1 if it wakes
 };
 
 }  // namespace scree::coupling

@@ -175,6 +175,24 @@ TEST(SleepRules, a_load_wakes_its_block_once_its_function_has_another_value) {
   EXPECT_EQ(late.check(1), (Bodies{0}));
 }
 
+TEST(SleepRules, a_small_island_waits_for_others) {
+  std::vector<double> at;
+  for (int i = 0; i < 30; ++i) at.push_back(3.0 * i);
+  Line line(at);
+  line.model.gravity = {0.0, -10.0};
+  // All but the first fall; that one is 1/30 of them.
+  line.model.point_loads.push_back({BlockId{0}, {0.5, 0.5}, {0.0, 2e4}, {}});
+  Evaluated small(line);
+  small.hand.state.sleep.fell = 7;
+  const auto steps = static_cast<int>((SleepRules::kPatience + 7 + SleepRules::kEvery - 1) / SleepRules::kEvery);
+  EXPECT_EQ(small.check(steps - 1), Bodies{});
+  EXPECT_EQ(small.check(1), Bodies{0});
+  EXPECT_EQ(small.hand.state.sleep.fell, small.hand.state.step);
+  // With a second one they are 1/15.
+  line.model.point_loads.push_back({BlockId{1}, {3.5, 0.5}, {0.0, 2e4}, {}});
+  EXPECT_EQ(Evaluated(line).check(), (Bodies{0, 1}));
+}
+
 TEST(SleepRules, are_evaluated_once_a_step) {
   Evaluated at(Line({0.0}));
   at.hand.state.step = 0;
