@@ -215,7 +215,7 @@ def partitioned(table):
 def sleeping(table):
     """Steps of 20 piles of 52 blocks, one of which is shaken: 19 asleep, against all awake."""
     program = table.programs[0]
-    for kind, asleep, short, long in (("explicit", 0.05, 0.002, 0.03), ("implicit", 0.3, 0.005, 0.105)):
+    for kind, asleep, short, long in (("explicit", 0.05, 0.002, 0.102), ("implicit", 0.3, 0.005, 0.255)):
         names = {}
         for sleep in ("1e-6", "0.0"):
             names[sleep] = f"piles-{kind}-{sleep}"
