@@ -11,6 +11,13 @@ namespace scree::app {
 namespace {
 
 constexpr std::chrono::seconds kSilence{5};  // after which a log gets a line, however small the progress
+constexpr int kShown = 5;                    // events of a kind that comes often
+
+/// Events of a kind that comes often, as a noun.
+const char* further(coupling::EventKind kind) {
+  if (kind == coupling::EventKind::step_cut) return "cuts";
+  return kind == coupling::EventKind::partition ? "changes of sides" : "changes of sleep";
+}
 
 }  // namespace
 
@@ -37,15 +44,14 @@ void Progress::event(const coupling::Event& e) {
   using Kind = coupling::EventKind;
   if (e.kind == Kind::transfer) return;       // one per block: they are in the results
   if (e.kind == Kind::not_converged) return;  // the reason is printed at the end of the run
-  if (e.kind == Kind::step_cut && ++cuts_shown_ > 5) return;
-  if (e.kind == Kind::partition && ++changes_shown_ > 5) return;
+  const bool often = coupling::comes_often(coupling::name(e.kind));
+  if (often && ++shown_[e.kind] > kShown) return;
   if (e.kind == Kind::stage_start && stage_index_ < stages_.size()) stage_ = stages_[stage_index_++];
   if (e.kind == Kind::stage_end) return;
   const char* what = e.kind == Kind::step_cut ? "step cut: " : e.kind == Kind::warning ? "warning: " : "";
   line(fmt::format("{:8.3f} s  {}{}", e.time, what, e.text));
-  if (e.kind == Kind::step_cut && cuts_shown_ == 5) line("            (further cuts are in the results only)");
-  if (e.kind == Kind::partition && changes_shown_ == 5)
-    line("            (further changes of sides are in the results only)");
+  if (often && shown_[e.kind] == kShown)
+    line(fmt::format("            (further {} are in the results only)", further(e.kind)));
 }
 
 void Progress::step(double time, const coupling::RunStats& stats, const coupling::Ledger&) {

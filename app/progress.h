@@ -2,6 +2,7 @@
 #pragma once
 
 #include <chrono>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -36,7 +37,7 @@ class Progress final : public coupling::Sink {
   double begin_ = 0.0;           // simulated time at which this program began [s]
   std::int64_t steps_made_ = 0;  // before it
   double next_tenth_ = 0.0;
-  int cuts_shown_ = 0, changes_shown_ = 0;
+  std::map<coupling::EventKind, int> shown_;  // of kinds that come often
   std::string stage_;
   std::vector<std::string> stages_;
   std::size_t stage_index_ = 0;

@@ -47,8 +47,8 @@ void Driver::change_sleep(const Stage& stage) {
   };
   std::string text;
   if (!change->fell.empty())
-    text = fmt::format("{} asleep, {:.3g} J and {:.3g} N s are removed; ", names(change->fell), kinetic, momentum);
-  if (!change->woke.empty()) text += fmt::format("{} awake, {}; ", names(change->woke), change->cause);
+    text = fmt::format("asleep: {} ({:.3g} J and {:.3g} N s are removed); ", names(change->fell), kinetic, momentum);
+  if (!change->woke.empty()) text += fmt::format("awake: {} ({}); ", names(change->woke), change->cause);
   event(EventKind::sleep,
         fmt::format("stage '{}': {}{} of {} blocks are asleep", stage.name, text, stats_.asleep, stats_.blocks));
 }

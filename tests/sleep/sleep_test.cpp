@@ -27,8 +27,7 @@ struct Times {
 struct Told final : Sink, Times {
   void event(const Event& e) override {
     if (e.kind != EventKind::sleep) return;
-    (e.text.find(" more asleep") != std::string::npos || e.text.find("' asleep") != std::string::npos ? fell : woke)
-        .push_back(e.time);
+    (e.text.find("asleep: ") != std::string::npos ? fell : woke).push_back(e.time);
     last = e.text;
   }
   void step(double, const RunStats& stats, const Ledger&) override {
