@@ -47,27 +47,35 @@ SleepRules::SleepRules(const Stage& stage, const Setup& setup, const State& stat
   for (std::size_t i = o.edges.size(); i > 0; --i) first_edge_[o.edges[EdgeIndex::of(i - 1)].body.index()] = i - 1;
   for (std::size_t b = setup.bodies().size(); b > 0; --b)
     first_edge_[b - 1] = std::min(first_edge_[b - 1], first_edge_[b]);
-  find_sources();
+  find_sources(state);
   plant(state);
 }
 
 SleepRules::~SleepRules() = default;
 
-void SleepRules::find_sources() {
+void SleepRules::find_sources(const State& state) {
   const Model& model = setup_->model();
   const auto add = [&](FunctionId f, std::vector<BlockId> blocks) {
-    if (f.valid()) sources_.push_back({f, {}, std::move(blocks)});
+    if (f.valid()) sources_.push_back({f, {}, nullptr, std::move(blocks)});
   };
   for (const PointLoad& load : model.point_loads) add(load.function, {load.block});
   for (const EdgeTraction& load : model.tractions) add(load.function, {load.span.block});
   for (const BodyAcceleration& load : model.body_accelerations) add(load.function, load.blocks);
   for (const ViscousEdge& edge : model.viscous_edges)
-    if (edge.motion.valid()) sources_.push_back({{}, edge.motion, {edge.span.block}});
+    if (edge.motion.valid()) sources_.push_back({{}, edge.motion, nullptr, {edge.span.block}});
+  for (const BoltRows& rows : acting_bolts(*setup_, state)) {
+    std::vector<BlockId> blocks;
+    for (const BodyIndex b : rows.body)
+      if (!setup_->body(b).driven) blocks.push_back(setup_->body(b).block);
+    for (const BodyIndex b : rows.body)
+      if (setup_->body(b).motion.valid()) sources_.push_back({{}, {}, &setup_->body(b), blocks});
+  }
 }
 
 bool SleepRules::changes(const Source& source, Tick from, Tick to) const {
   if (source.function.valid())
     return setup_->factor(source.function, seconds(from)) != setup_->factor(source.function, seconds(to));
+  if (source.driven != nullptr) return drives(*source.driven, from, to);
   return setup_->ground_velocity(source.motion, seconds(to)) != Vec2(0.0, 0.0);
 }
 
@@ -152,6 +160,9 @@ void SleepRules::wake_near(const State& state, Tick from, Tick to, Change& chang
 }
 
 std::string SleepRules::cause_of(const Source& source) const {
+  if (source.driven != nullptr)
+    return fmt::format("block '{}', joined by a bolt, moves",
+                       setup_->model().blocks[source.driven->block.index()].name);
   if (!source.function.valid()) return "the motion of a viscous edge";
   return fmt::format("the load of function '{}' changes", setup_->model().functions[source.function.index()].name);
 }

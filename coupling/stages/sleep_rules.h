@@ -22,7 +22,8 @@ class BoxTree;
 /// passed since others did, since each change makes the bodies that are awake anew. It wakes before a step in which
 ///   - a block that is awake, or a driven one that moves, comes within reach of it (twice the detection distance,
 ///     between boxes around edges),
-///   - a load's time function or the motion of a viscous edge changes that acts on one of its blocks.
+///   - a load's time function changes, the ground of a viscous edge moves, or a driven block that a bolt joins to it,
+///     where one of its blocks is concerned.
 /// Changes of supports, water, bolts, strengths and methods are stages, at whose beginning all blocks are awake; while
 /// a stage releases forces or changes strengths no block falls asleep.
 /// @source docs/theory/time-integration.md, "Sleep"
@@ -47,13 +48,14 @@ class SleepRules {
   [[nodiscard]] std::optional<Change> evaluate(State& state, const TimeIntegrator& integrator, Tick until);
 
  private:
-  /// A time function or a motion that acts on some bodies.
+  /// What acts on some bodies and may change: a time function, the motion of a viscous edge, a driven body.
   struct Source {
     FunctionId function;
     MotionId motion;
-    std::vector<BlockId> blocks;  // empty: all
+    const Body* driven = nullptr;  // joined to them by a bolt
+    std::vector<BlockId> blocks;   // empty: all
   };
-  void find_sources();
+  void find_sources(const State& state);
   [[nodiscard]] bool changes(const Source& source, Tick from, Tick to) const;
   [[nodiscard]] bool drives(const Body& b, Tick from, Tick to) const;
   /// Wakes islands on whose blocks something acts.

@@ -193,6 +193,27 @@ TEST(SleepRules, a_small_island_waits_for_others) {
   EXPECT_EQ(Evaluated(line).check(), (Bodies{0, 1}));
 }
 
+TEST(SleepRules, a_block_wakes_where_its_bolt_is_anchored_in_a_driven_block_that_moves) {
+  Bolted scene(30.0, 1e9);
+  scene.model.gravity = {0.0, 0.0};
+  scene.add("block", rectangle(0.0, 0.0, 1.0, 1.0));
+  scene.add("other", rectangle(0.0, 5.0, 1.0, 6.0));
+  scene.add("base", rectangle(4.0, 0.0, 5.0, 1.0), true);
+  scene.model.motions.emplace_back(std::vector<double>{0.0, 0.1, 0.2}, std::vector<double>{0.0, 1.0, 0.0},
+                                   Vec2(1.0, 0.0), GroundMotion::Setting{0.5});
+  scene.model.block_supports[0].motion = MotionId{0};
+  scene.bolt(bar({0.5, 0.5}, {4.5, 0.5}));
+  scene.stage("dda", Integrator::explicit_, 1.0, 1e-4).sleep = 1e-3;
+  Evaluated at(scene);
+  at.hand.state.bolts.resize(1);
+  install_bolts(*at.hand.setup, at.hand.state);
+  at.rules = std::make_unique<SleepRules>(at.scene.plan.stages[0], *at.hand.setup, at.hand.state, kDetection);
+  EXPECT_EQ(at.check(), (Bodies{0, 1}));
+  at.hand.state.time = ticks(0.52);
+  EXPECT_EQ(at.check(1), Bodies{1});
+  EXPECT_EQ(at.last->cause, "block 'base', joined by a bolt, moves");
+}
+
 TEST(SleepRules, are_evaluated_once_a_step) {
   Evaluated at(Line({0.0}));
   at.hand.state.step = 0;
