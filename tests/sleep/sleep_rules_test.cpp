@@ -176,8 +176,8 @@ TEST(SleepRules, a_load_wakes_its_block_once_its_function_has_another_value) {
 }
 
 TEST(SleepRules, a_small_island_waits_for_others) {
-  std::vector<double> at;
-  for (int i = 0; i < 30; ++i) at.push_back(3.0 * i);
+  std::vector<double> at(30);
+  for (std::size_t i = 0; i < at.size(); ++i) at[i] = 3.0 * static_cast<double>(i);
   Line line(at);
   line.model.gravity = {0.0, -10.0};
   // All but the first fall; that one is 1/30 of them.

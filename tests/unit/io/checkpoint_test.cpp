@@ -226,7 +226,8 @@ TEST(ResumeCases, that_stop_between_a_change_of_method_and_its_step_end_as_the_u
 }
 
 INSTANTIATE_TEST_SUITE_P(Cases, Resume,
-                         testing::Values("staged", "kept", "motion", "sides", "divided", "rules", "digging", "tangent", "sleep"),
+                         testing::Values("staged", "kept", "motion", "sides", "divided", "rules", "digging", "tangent",
+                                         "sleep"),
                          [](const auto& of) { return std::string(of.param); });
 
 TEST(ResumeCases, pass_through_all_that_is_remembered) {
