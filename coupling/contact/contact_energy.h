@@ -15,6 +15,12 @@ namespace scree::coupling {
 [[nodiscard]] inline double tangential_energy(const ContactMemory& m) {
   return m.status == ContactStatus::open ? 0.0 : tangential_spring_energy(m.kt, m.stretch);
 }
+/// Both of a point that no other edge carries, from its memory alone; an open one has none [J].
+[[nodiscard]] inline double closed_energy(const ContactMemory& m) {
+  return m.status == ContactStatus::open
+             ? 0.0
+             : NormalSpring{m.kn, m.bonded != 0}.energy(m.gap) + tangential_spring_energy(m.kt, m.stretch);
+}
 [[nodiscard]] inline double contact_energy(const ContactList& list) {
   double sum = 0.0;
   for (std::size_t i = 0; i < list.points.size(); ++i)

@@ -4,8 +4,7 @@
 #include <iterator>
 
 #include "coupling/bolts/bolt_rows.h"
-#include "coupling/contact/law/coulomb.h"
-#include "coupling/contact/law/normal_spring.h"
+#include "coupling/contact/contact_energy.h"
 #include "coupling/integrate/point_springs.h"
 
 namespace scree::coupling {
@@ -27,12 +26,6 @@ double support_energy(const Setup& setup, const State& state) {
   double sum = 0.0;
   for (const PointSpring& s : point_springs(setup, state)) sum += spring_energy(s, state.q);
   return sum;
-}
-
-/// Energy of the springs of a closed contact point [J].
-double spring_energy_of(const ContactMemory& m) {
-  if (m.status == ContactStatus::open) return 0.0;
-  return NormalSpring{m.kn, m.bonded != 0}.energy(m.gap) + tangential_spring_energy(m.kt, m.stretch);
 }
 
 }  // namespace
@@ -96,17 +89,17 @@ void AwakeSide::split(const State& state) {
     if (asleep_[i] == 0) continue;
     const Body& b = whole_->bodies()[i];
     const auto p = static_cast<std::size_t>(b.pool);
-    held_[1] += whole_->pool_of(b)
-                    .totals(b.index, whole_->part(std::span<const double>(state.q), p),
-                            whole_->part(std::span<const double>(state.v), p))
-                    .elastic;
+    held(Column::elastic) += whole_->pool_of(b)
+                                 .totals(b.index, whole_->part(std::span<const double>(state.q), p),
+                                         whole_->part(std::span<const double>(state.v), p))
+                                 .elastic;
   }
-  for (const ContactMemory& m : parked_) held_[2] += spring_energy_of(m);
-  held_[3] = support_energy(*whole_, state) - support_energy(setup_, side_);
-  for (const BoltMemory& m : state.bolts) held_[4] += m.energy;
+  for (const ContactMemory& m : parked_) held(Column::contact_springs) += closed_energy(m);
+  held(Column::support_springs) = support_energy(*whole_, state) - support_energy(setup_, side_);
+  for (const BoltMemory& m : state.bolts) held(Column::bolts) += m.energy;
   for (const BoltRows& rows : acting_bolts(setup_, side_)) {
     bolts_.push_back(static_cast<std::size_t>(rows.bolt));
-    held_[4] -= state.bolts[bolts_.back()].energy;
+    held(Column::bolts) -= state.bolts[bolts_.back()].energy;
   }
   opened_ = false;
 }
@@ -117,7 +110,7 @@ void AwakeSide::open(const State& state) {
 
 double AwakeSide::enter(State& state) {
   split(state);
-  return integrator_->enter(side_) + held_[2];
+  return integrator_->enter(side_) + held(Column::contact_springs);
 }
 
 void AwakeSide::resume(State& state, const IntegratorMemory& memory) {

@@ -48,6 +48,8 @@ class AwakeSide final : public TimeIntegrator {
   void join(State& state);
   void join_contacts(ContactList& contacts);
   void join_ledger(State& state);
+  /// Energy of the bodies that are asleep, by column.
+  [[nodiscard]] double& held(Column energy) { return held_[static_cast<std::size_t>(energy)]; }
   [[nodiscard]] bool is_awake(const ContactMemory& m) const;
 
   const Setup* whole_;
@@ -59,7 +61,7 @@ class AwakeSide final : public TimeIntegrator {
   std::vector<ContactMemory> parked_;  // contacts of bodies that are asleep
   std::vector<std::size_t> place_;     // per contact of the side: its index in the state
   std::vector<std::size_t> bolts_;     // that act on bodies that are awake
-  std::array<double, 5> held_{};       // kinetic, elastic, contact springs, support springs, bolts: asleep [J]
+  std::array<double, static_cast<std::size_t>(Column::bolts) + 1> held_{};  // [J]
   bool opened_ = false;
 };
 

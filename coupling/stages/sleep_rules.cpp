@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "coupling/bolts/bolt_rows.h"
+#include "coupling/contact/contact_energy.h"
 #include "coupling/contact/search/box_tree.h"
 
 namespace scree::coupling {
@@ -130,12 +131,10 @@ void SleepRules::wake_marked(State& state, Change& change) {
 void SleepRules::wake_near(const State& state, Tick from, Tick to, Change& change) {
   const Outlines& o = setup_->outlines();
   const std::size_t query = planted_.size();
-  std::vector<Box> own;
-  std::vector<std::size_t> hit;
   for (std::size_t b = 0; b < setup_->bodies().size(); ++b) {
     const Body& body = setup_->bodies()[b];
     if (body.absent || state.sleep.asleep(b) || (body.driven && !drives(body, from, to))) continue;
-    own.clear();
+    own_.clear();
     Box around{Vec2(kNowhere, kNowhere), Vec2(-kNowhere, -kNowhere)};
     for (std::size_t e = first_edge_[b]; e < first_edge_[b + 1]; ++e) {
       Box box = box_of(EdgeIndex::of(e), state.q);
@@ -143,19 +142,19 @@ void SleepRules::wake_near(const State& state, Tick from, Tick to, Change& chang
       box.hi.array() += reach_;
       around.lo = around.lo.cwiseMin(box.lo);
       around.hi = around.hi.cwiseMax(box.hi);
-      own.push_back(box);
+      own_.push_back(box);
     }
     tree_->move(query, around);
-    hit.clear();
+    hit_.clear();
     tree_->for_overlaps_of(query, [&](std::size_t i) {
       if (i == query) return;
-      if (std::any_of(own.begin(), own.end(), [&](const Box& box) { return overlap(box, boxes_[i]); }))
-        hit.push_back(o.edges[planted_[i]].body.index());
+      if (std::any_of(own_.begin(), own_.end(), [&](const Box& box) { return overlap(box, boxes_[i]); }))
+        hit_.push_back(o.edges[planted_[i]].body.index());
     });
-    if (hit.empty()) continue;
+    if (hit_.empty()) continue;
     const std::string cause = fmt::format("block '{}' {}", setup_->model().blocks[body.block.index()].name,
                                           body.driven ? "moves" : "comes near");
-    for (const std::size_t asleep : hit) mark(state, asleep, change, cause);
+    for (const std::size_t asleep : hit_) mark(state, asleep, change, cause);
   }
 }
 
@@ -188,12 +187,9 @@ void SleepRules::wake(State& state, Tick until, Change& change) {
 void SleepRules::count_calm(State& state, const TimeIntegrator& integrator) {
   (void)balance_.measure(state, integrator);
   std::vector<double> elastic(setup_->bodies().size(), 0.0);
-  for (const ContactMemory& m : state.contacts) {
-    if (m.status == ContactStatus::open) continue;
-    const double energy = 0.25 * (m.kn * m.gap * m.gap + m.kt * m.stretch * m.stretch);  // half of it for each body
-    elastic[static_cast<std::size_t>(m.key.block_p)] += energy;
-    elastic[static_cast<std::size_t>(m.key.block_e)] += energy;
-  }
+  for (const ContactMemory& m : state.contacts)
+    for (const std::int32_t b : {m.key.block_p, m.key.block_e})
+      elastic[static_cast<std::size_t>(b)] += 0.5 * closed_energy(m);
   const double tolerance = stage_->sleep;
   for (std::size_t i = 0; i < elastic.size(); ++i) {
     const Body& b = setup_->bodies()[i];

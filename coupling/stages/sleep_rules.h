@@ -81,7 +81,9 @@ class SleepRules {
   std::unique_ptr<BoxTree> tree_;        // of the boxes below; the last one is a query
   std::vector<Box> boxes_;
   std::vector<EdgeIndex> planted_;
-  std::vector<char> marked_;  // per island: 1 if it wakes
+  std::vector<char> marked_;      // per island: 1 if it wakes
+  std::vector<Box> own_;          // scratch: around the edges of a body
+  std::vector<std::size_t> hit_;  // scratch: bodies asleep that it comes near
 };
 
 }  // namespace scree::coupling

@@ -637,10 +637,10 @@ constexpr Key kKeys[] = {
     {"stage[].max_displacement", Type::number_or_auto, "m", kPositive, "\"auto\"", false, "",
      "Largest displacement in a step. \"auto\" is a hundredth of the width of the smallest block."},
     {"stage[].sleep", Type::number, "", kSleep, "0.0", false, "",
-     "Blocks at rest take no steps until something acts on them: the largest motion of a block, relative to its "
-     "elastic compression, at which the blocks around it and itself may fall asleep (1e-8: results agree to about "
-     "that). They wake as another block comes near, a load or the motion below them changes, and with the next "
-     "stage. 0: all blocks take all steps."},
+     "Threshold of rest. Blocks whose motion is below this fraction of their elastic compression take no steps once "
+     "all "
+     "blocks near them are at rest too, until something acts on them: another block comes near, a load or the base "
+     "below them changes, the next stage begins. Results agree to about this fraction; 0: all blocks take all steps."},
     {"stage[].explicit_blocks", Type::names, "", kAny, "", false, "",
      "Partitioned stages: names of the blocks that take explicit steps; * stands for any characters. Patterns "
      "skip blocks that are held whole. At least one key explicit_... is required."},
