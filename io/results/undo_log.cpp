@@ -154,6 +154,44 @@ void UndoLog::remove() {
   if (error) throw FileError(path_of(file_), "cannot remove the file: " + error.message());
 }
 
+namespace {
+
+/// Calls see(stretch, bytes) for the stretches of a log up to the first one that is not complete: it was just being
+/// stored, and the file was not yet overwritten there.   @param length  of the file at start()
+template <class See>
+void for_stretches(int log, const fs::path& path, std::uint64_t length, See&& see) {
+  const std::uint64_t size = size_of(log, path);
+  std::vector<char> bytes;
+  Stretch s;
+  for (std::uint64_t at = sizeof(Head); at + sizeof s <= size; at += sizeof s + s.size) {
+    if (!read_all(log, &s, sizeof s, at)) fail(path, "read");
+    if (s.size > size - at - sizeof s || s.at > length || s.size > length - s.at) return;
+    bytes.resize(s.size);
+    if (!read_all(log, bytes.data(), s.size, at + sizeof s)) fail(path, "read");
+    if (s.hash != s.right_hash(bytes.data())) return;
+    see(s, bytes);
+  }
+}
+
+/// The head of a log.   @return false: there is none
+bool read_head(int log, const fs::path& path, Head& head) {
+  return size_of(log, path) >= sizeof head && read_all(log, &head, sizeof head, 0) && head.magic == kMagic &&
+         head.hash == head.right_hash();
+}
+
+/// True if a log has all that a file now lacks at its end: HDF5 makes its files shorter when it closes them.
+bool has_lost_end(int log, const fs::path& path, std::uint64_t length, std::uint64_t now) {
+  if (now >= length) return true;
+  std::uint64_t there = 0;  // no page is stored twice
+  for_stretches(log, path, length, [&](const Stretch& s, const std::vector<char>&) {
+    const std::uint64_t end = s.at + s.size;
+    if (end > now) there += end - std::max(s.at, now);
+  });
+  return there == length - now;
+}
+
+}  // namespace
+
 bool UndoLog::roll_back(const fs::path& file) {
   const fs::path path = path_of(file);
   std::error_code error;
@@ -162,22 +200,13 @@ bool UndoLog::roll_back(const fs::path& file) {
     const Descriptor log(path, O_RDONLY), target(file, O_RDWR);
     if (log.get() < 0) fail(path, "open the file");
     Head head;
-    const std::uint64_t size = size_of(log.get(), path);
-    if (target.get() >= 0 && size >= sizeof head && read_all(log.get(), &head, sizeof head, 0) &&
-        head.magic == kMagic && head.hash == head.right_hash() && size_of(target.get(), file) >= head.length) {
-      std::vector<char> bytes;
-      Stretch s;
-      // A stretch that is not complete was just being stored: the file was not yet overwritten there.
-      for (std::uint64_t at = sizeof head; at + sizeof s <= size; at += sizeof s + s.size) {
-        if (!read_all(log.get(), &s, sizeof s, at)) fail(path, "read");
-        if (s.size > size - at - sizeof s || s.at > head.length || s.size > head.length - s.at) break;
-        bytes.resize(s.size);
-        if (!read_all(log.get(), bytes.data(), s.size, at + sizeof s)) fail(path, "read");
-        if (s.hash != s.right_hash(bytes.data())) break;
+    if (target.get() >= 0 && read_head(log.get(), path, head) &&
+        has_lost_end(log.get(), path, head.length, size_of(target.get(), file))) {
+      for_stretches(log.get(), path, head.length, [&](const Stretch& s, const std::vector<char>& bytes) {
         if (::lseek(target.get(), static_cast<off_t>(s.at), SEEK_SET) < 0 ||
             !write_all(target.get(), bytes.data(), bytes.size()))
           fail(file, "bring the file back to what it was");
-      }
+      });
       if (::ftruncate(target.get(), static_cast<off_t>(head.length)) != 0 || ::fsync(target.get()) != 0)
         fail(file, "bring the file back to what it was");
     }

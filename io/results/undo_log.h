@@ -31,13 +31,13 @@ class UndoLog {
   /// @throws FileError; the earlier log stays
   void start(int descriptor);
   /// Stores the pages that overlap [at, at + size), existed at start() and are not stored yet. To be called before they
-  /// are overwritten.   @throws FileError
+  /// are overwritten, or cut off at the end of the file.   @throws FileError
   void save(std::uint64_t at, std::uint64_t size);
   /// Ends and removes the log: the file is complete as it is.   @throws FileError
   void remove();
 
   /// Restores a file from the log beside it, if there is one, and removes the log. If the program is killed meanwhile,
-  /// roll_back() can be repeated.
+  /// roll_back() can be repeated. A file that is shorter than the log and its pages explain is left as it is.
   /// @return true if there was a log   @throws FileError
   static bool roll_back(const std::filesystem::path& file);
 

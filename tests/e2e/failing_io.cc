@@ -5,7 +5,7 @@
 //   SCREE_FAULT_KIND    eio, enospc: it fails so, and every later one; short: half of a write is done, then enospc;
 //                       kill: half of a write is done, other calls not, and the program is killed; killed: after the
 //                       call
-//   SCREE_FAULT_TRACE   file that is told the name of the file of every call, a line a call
+//   SCREE_FAULT_TRACE   file that receives a line for every call: its name, and the file that it is for
 // What the C library writes through its own streams (run.log) does not come through here.
 #include <dlfcn.h>
 #include <fcntl.h>
@@ -66,13 +66,13 @@ F real(const char* name) {
   return reinterpret_cast<F>(::dlsym(RTLD_NEXT, name));
 }
 
-/// What `call` gives, or what the fault makes of it; `half` does half of it.
+/// What `call` gives, or what the fault makes of it; `half` does half of it.   @param name  of the call
 template <class Result, class Call, class Half>
-Result go(bool counts, Call&& call, Half&& half) {
+Result go(const char* name, bool counts, Call&& call, Half&& half) {
   Faults& f = faults();
   if (!counts) return call();
   const long now = ++f.calls;
-  if (f.trace != nullptr) std::fprintf(f.trace, "%s\n", f.path.c_str());
+  if (f.trace != nullptr) std::fprintf(f.trace, "%s %s\n", name, f.path.c_str());
   if (f.at == 0 || now < f.at) return call();
   if (f.kind == "killed") {
     if (now == f.at) (void)call(), die();
@@ -91,55 +91,59 @@ extern "C" {
 ssize_t write(int fd, const void* data, size_t size) {
   static const auto next = real<ssize_t (*)(int, const void*, size_t)>("write");
   return go<ssize_t>(
-      fd > 2 && faults().within(fd), [&] { return next(fd, data, size); }, [&] { return next(fd, data, size / 2); });
+      "write", fd > 2 && faults().within(fd), [&] { return next(fd, data, size); },
+      [&] { return next(fd, data, size / 2); });
 }
 
 ssize_t writev(int fd, const struct iovec* parts, int count) {
   static const auto next = real<ssize_t (*)(int, const struct iovec*, int)>("writev");
   return go<ssize_t>(
-      fd > 2 && faults().within(fd), [&] { return next(fd, parts, count); }, [&] { return next(fd, parts, 1); });
+      "writev", fd > 2 && faults().within(fd), [&] { return next(fd, parts, count); },
+      [&] { return next(fd, parts, 1); });
 }
 
 ssize_t pwrite(int fd, const void* data, size_t size, off_t at) {
   static const auto next = real<ssize_t (*)(int, const void*, size_t, off_t)>("pwrite");
   return go<ssize_t>(
-      faults().within(fd), [&] { return next(fd, data, size, at); }, [&] { return next(fd, data, size / 2, at); });
+      "pwrite", faults().within(fd), [&] { return next(fd, data, size, at); },
+      [&] { return next(fd, data, size / 2, at); });
 }
 
 ssize_t pwrite64(int fd, const void* data, size_t size, off64_t at) {
   static const auto next = real<ssize_t (*)(int, const void*, size_t, off64_t)>("pwrite64");
   return go<ssize_t>(
-      faults().within(fd), [&] { return next(fd, data, size, at); }, [&] { return next(fd, data, size / 2, at); });
+      "pwrite64", faults().within(fd), [&] { return next(fd, data, size, at); },
+      [&] { return next(fd, data, size / 2, at); });
 }
 
 int fsync(int fd) {
   static const auto next = real<int (*)(int)>("fsync");
   return go<int>(
-      faults().within(fd), [&] { return next(fd); }, [] { return 0; });
+      "fsync", faults().within(fd), [&] { return next(fd); }, [] { return 0; });
 }
 
 int fdatasync(int fd) {
   static const auto next = real<int (*)(int)>("fdatasync");
   return go<int>(
-      faults().within(fd), [&] { return next(fd); }, [] { return 0; });
+      "fdatasync", faults().within(fd), [&] { return next(fd); }, [] { return 0; });
 }
 
 int ftruncate(int fd, off_t size) {
   static const auto next = real<int (*)(int, off_t)>("ftruncate");
   return go<int>(
-      faults().within(fd), [&] { return next(fd, size); }, [] { return 0; });
+      "ftruncate", faults().within(fd), [&] { return next(fd, size); }, [] { return 0; });
 }
 
 int ftruncate64(int fd, off64_t size) {
   static const auto next = real<int (*)(int, off64_t)>("ftruncate64");
   return go<int>(
-      faults().within(fd), [&] { return next(fd, size); }, [] { return 0; });
+      "ftruncate64", faults().within(fd), [&] { return next(fd, size); }, [] { return 0; });
 }
 
 int rename(const char* from, const char* to) {
   static const auto next = real<int (*)(const char*, const char*)>("rename");
   return go<int>(
-      faults().within(to), [&] { return next(from, to); }, [] { return 0; });
+      "rename", faults().within(to), [&] { return next(from, to); }, [] { return 0; });
 }
 
 }  // extern "C"

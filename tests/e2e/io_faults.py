@@ -74,14 +74,14 @@ def run(scree, library, folder, *arguments, at=0, kind="", trace=None):
 
 
 def calls_of(scree, library, folder, ask, scratch):
-    """File names of the intercepted calls of a run, in order."""
+    """Intercepted calls of a run in order, each with the name of its file."""
     trace = scratch / "trace"
     code, err = run(scree, library, folder, *ask, trace=trace)
     names = trace.read_text().splitlines() if trace.exists() else []
     if code != 0 or not names:
         print(f"SKIPPED: calls cannot be watched here ({code}: {err.strip()})")
         sys.exit(resume_runs.SKIPPED)
-    return [pathlib.Path(name).name for name in names]
+    return [(call, pathlib.Path(name).name) for call, _, name in (line.partition(" ") for line in names)]
 
 
 def try_at(scree, library, folder, ask, whole, at, kind, what, tally):
@@ -128,7 +128,10 @@ def main():
             code, err = run(scree, None, whole, "run", case, "--out", whole, "--quiet")
             assert code == 0, err
             names = calls_of(scree, library, folder, ask, scratch)
-            inside = [n + 1 for n, file in enumerate(names) if file.startswith("checkpoint")]
+            inside = [n + 1 for n, (_, file) in enumerate(names) if file.startswith("checkpoint")]
+            shorter = [n + 1 for n, (call, file) in enumerate(names) if call.startswith("ftruncate") and file == "run.vtkhdf"]
+            # HDF5 shortens its file when it closes it; the run is not done before its summary is written.
+            try_at(scree, library, folder, ask, whole, shorter[-1], "killed", f"{name}, killed after the last truncation", tally)
             beside = sorted({n + d for n in inside for d in range(-15, 16) if 0 < n + d <= len(names)} - set(inside))
             for places in (inside, beside, range(1, len(names) + 1)):
                 for at in sorted(rng.sample(places, min(len(places), 24 if FULL else 1))):

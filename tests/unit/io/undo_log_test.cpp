@@ -87,6 +87,34 @@ TEST_F(OverwrittenFile, log_of_a_later_start_holds_for_that_one) {
   ::close(fd);
 }
 
+TEST_F(OverwrittenFile, is_as_it_was_where_it_has_become_shorter_since) {
+  const int fd = ::open(file_.c_str(), O_RDWR);
+  UndoLog undo(file_);
+  undo.start(fd);
+  overwrite(undo, fd, 38'000, 10);  // a page of the end is stored already
+  overwrite(undo, fd, 200, 10);
+  for (const std::uint64_t end : {40'990U, 36'900U, 20'480U, 1U}) {
+    undo.save(end, 41'000 - end);
+    ASSERT_EQ(::ftruncate(fd, static_cast<off_t>(end)), 0);
+    put(copy_, io::test::text_of(file_)), put(UndoLog::path_of(copy_), io::test::text_of(log_));
+    EXPECT_TRUE(UndoLog::roll_back(copy_));
+    EXPECT_TRUE(io::test::text_of(copy_) == before_) << end;
+  }
+  ::close(fd);
+}
+
+TEST_F(OverwrittenFile, is_left_alone_where_it_lacks_more_than_the_log_has) {
+  const int fd = ::open(file_.c_str(), O_RDWR);
+  UndoLog undo(file_);
+  undo.start(fd);
+  overwrite(undo, fd, 200, 10);
+  undo.save(40'970, 30);
+  ::close(fd);
+  put(file_, before_.substr(0, 36'000));  // by another program
+  EXPECT_TRUE(UndoLog::roll_back(file_));
+  EXPECT_TRUE(io::test::text_of(file_) == before_.substr(0, 36'000));
+}
+
 TEST_F(OverwrittenFile, log_that_says_nothing_is_not_followed) {
   for (const std::string& text : {std::string(), std::string("SCRUNDO1"), std::string(24, 'x')}) {
     put(log_, text);
