@@ -86,7 +86,7 @@ def calls_of(scree, library, folder, ask, scratch):
 
 def try_at(scree, library, folder, ask, whole, at, kind, what, tally):
     """Runs with one fault, then resumes the run."""
-    code, err = run(scree, library, folder, *ask, "--overwrite", at=at, kind=kind)
+    code, err = run(scree, library, folder, *ask, at=at, kind=kind)
     tally[kind, code] = tally.get((kind, code), 0) + 1
     if kind.startswith("kill"):
         if code != -9:
@@ -109,7 +109,7 @@ def main():
         scratch = pathlib.Path(scratch)
         small, whole, folder = scratch / "case.toml", scratch / "whole", scratch / "run"
         small.write_text(CASE)
-        ask = ["run", small, "--out", folder, "--quiet"]
+        ask = ["run", small, "--out", folder, "--quiet", "--overwrite"]
         code, err = run(scree, None, whole, "run", small, "--out", whole, "--quiet")
         assert code == 0, err
         calls = len(calls_of(scree, library, folder, ask, scratch))
@@ -124,7 +124,7 @@ def main():
         for name in ("staged", "sides", "rules") if FULL else ("rules",):
             tally = {}
             case, whole, folder = resume_runs.HERE / f"{name}.toml", scratch / f"{name}-whole", scratch / name
-            ask = ["run", case, "--out", folder, "--quiet"]
+            ask = ["run", case, "--out", folder, "--quiet", "--overwrite"]
             code, err = run(scree, None, whole, "run", case, "--out", whole, "--quiet")
             assert code == 0, err
             names = calls_of(scree, library, folder, ask, scratch)
