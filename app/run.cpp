@@ -392,7 +392,8 @@ int carry_out(io::Case& c, const RunOptions& options, const std::string& name,
       options.threads > 0 ? options.threads : (c.plan.threads > 0 ? c.plan.threads : omp_get_num_procs());
   omp_set_num_threads(threads);
 
-  const io::RunRecord record = record_of(c, options, name);
+  io::RunRecord record = record_of(c, options, name);
+  std::string().swap(c.resolved);  // as long as the case; assignment would keep its memory
   const OpenFolder open = open_folder();
   const io::RunFolder& folder = open.folder;
   double end_time = 0.0;
@@ -419,8 +420,8 @@ int carry_out(io::Case& c, const RunOptions& options, const std::string& name,
              place_of(from->stored.checkpoint.state),
              warn};
   io::ResultsSink results(folder, std::move(provenance), std::move(go_on));
-  io::Checkpoints checkpoints(folder, record, results, {c.plan.output.checkpoint_every, c.plan.output.checkpoint_steps},
-                              from);
+  io::Checkpoints checkpoints(folder, std::move(record), results,
+                              {c.plan.output.checkpoint_every, c.plan.output.checkpoint_steps}, from);
   driver.set_keeper(checkpoints);
   if (from != nullptr) driver.continue_from(from->stored.checkpoint);
   if (beginning.after != nullptr) driver.continue_from(*beginning.after);

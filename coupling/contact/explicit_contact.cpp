@@ -240,60 +240,54 @@ void ExplicitContact::leave(std::span<const double> v) {
   if (!list_->points.empty()) set_velocities(v, v_left_);
 }
 
+ExplicitContact::Rates ExplicitContact::rates_of(const ContactPoint& p, double anchor, OutlineVelocities v) {
+  return {row_rate(p, gap_row(p.at), v), row_rate(p, stretch_row(p.at, anchor), v), anchor, true};
+}
+
 ExplicitContact::Left ExplicitContact::left_by(double h, const ContactPoint& p, const ContactMemory& m) const {
-  Left a;
-  a.work = half_work(h, p, m, v_left_, {});
-  a.gap = m.gap;
-  a.stretch = m.stretch;
-  a.fn = m.fn;
-  a.fd = m.fd;
-  a.ft = m.ft;
-  a.fdt = m.fdt;
-  a.kn = m.kn;
-  a.kt = m.kt;
-  a.normal_energy = normal_energy(p, m);
-  a.tangential_energy = tangential_energy(m);
-  a.foot = p.at.xi;
-  a.segment = p.segment;
-  a.open = m.status == ContactStatus::open;
-  a.bonded = m.bonded != 0;
-  return a;
+  const bool open = m.status == ContactStatus::open;
+  // An open point has no force but that of water.
+  const Half work =
+      open && m.water == 0.0 ? Half{} : half_work(h, p, m, v_left_, open ? Rates{} : rates_of(p, m.anchor, v_left_));
+  return {work, m.gap, m.stretch, m.fn,      m.fd, m.ft,          m.fdt,
+          m.kn, m.kt,  p.at.xi,   p.segment, open, m.bonded != 0, !p.suppressed && !p.beyond};
 }
 
 void ExplicitContact::book_pair(const Left& a, std::size_t after, const Half& arriving, Ledger& ledger) const {
   const ContactMemory& b = list_->memory[after];
   const bool opened = b.status == ContactStatus::open, bond_broke = a.bonded && opened && b.gap >= 0.0;
+  Ledger::Booking booking(ledger);
   const double lifted = 0.5 * opened_[after];
-  ledger.book(Column::contact_damping, -a.work.damping - arriving.damping + lifted * (a.fd + b.fd));
-  if (lifted != 0.0) ledger.book(Column::dilation, -lifted * (a.fn + b.fn));
-  ledger.book(Column::water, a.work.water + arriving.water);
+  booking.book(Column::contact_damping, -a.work.damping - arriving.damping + lifted * (a.fd + b.fd));
+  if (lifted != 0.0) booking.book(Column::dilation, -lifted * (a.fn + b.fn));
+  if (a.work.water != 0.0 || arriving.water != 0.0) booking.book(Column::water, a.work.water + arriving.water);
   const double fa = a.fn - a.fd, fb = b.fn - b.fd;  // of the springs alone
   if (fa != 0.0 || fb != 0.0) {
     const double dg = b.gap - a.gap, trapezoid = 0.5 * (fa + fb) * dg;
     // Dilation moves gap0: the bodies moved by more than the spring did.
-    ledger.book(Column::contact_geometry,
-                a.work.normal + arriving.normal - (trapezoid + 0.5 * (fa + fb) * opened_[after]));
+    booking.book(Column::contact_geometry,
+                 a.work.normal + arriving.normal - (trapezoid + 0.5 * (fa + fb) * opened_[after]));
     // Closed at both ends: trapezoid and energy cancel except for the change of the share. Closing: -k d g_n/2,
     // opening: +k d g_{n+1}/2.
     if (bond_broke) {
-      ledger.book(Column::contact_transition, trapezoid);
-      ledger.book(Column::bonds_broken, a.normal_energy);
+      booking.book(Column::contact_transition, trapezoid);
+      booking.book(Column::bonds_broken, a.normal_energy());
     } else if (fa == 0.0 || fb == 0.0)
-      ledger.book(Column::contact_transition, trapezoid + normal_energy(list_->points[after], b) - a.normal_energy);
+      booking.book(Column::contact_transition, trapezoid + normal_energy(list_->points[after], b) - a.normal_energy());
     else
-      ledger.book(Column::contact_tributary, 0.5 * a.gap * b.gap * (b.kn - a.kn));
+      booking.book(Column::contact_tributary, 0.5 * a.gap * b.gap * (b.kn - a.kn));
   }
   if (a.open) return;  // a spring that begins here has done no work
   const double de = trial_[after] - a.stretch, ta = a.ft - a.fdt, tb = b.ft - b.fdt;
   if (opened) {
-    ledger.book(Column::contact_geometry, a.work.tangential - 0.5 * ta * de);
-    ledger.book(Column::contact_transition, 0.5 * ta * de);
-    ledger.book(bond_broke ? Column::bonds_broken : Column::springs_dropped, a.tangential_energy);
+    booking.book(Column::contact_geometry, a.work.tangential - 0.5 * ta * de);
+    booking.book(Column::contact_transition, 0.5 * ta * de);
+    booking.book(bond_broke ? Column::bonds_broken : Column::springs_dropped, a.tangential_energy());
     return;
   }
-  ledger.book(Column::contact_geometry, a.work.tangential + arriving.tangential - 0.5 * (ta + tb) * de);
-  ledger.book(Column::contact_tributary, 0.5 * a.stretch * b.stretch * (b.kt - a.kt));
-  if (b.status == ContactStatus::slip) ledger.book(Column::friction, -0.5 * (ta + tb) * (trial_[after] - b.stretch));
+  booking.book(Column::contact_geometry, a.work.tangential + arriving.tangential - 0.5 * (ta + tb) * de);
+  booking.book(Column::contact_tributary, 0.5 * a.stretch * b.stretch * (b.kt - a.kt));
+  if (b.status == ContactStatus::slip) booking.book(Column::friction, -0.5 * (ta + tb) * (trial_[after] - b.stretch));
 }
 
 void ExplicitContact::book_new(std::size_t i, const Half& arriving, Ledger& ledger) const {
@@ -310,7 +304,7 @@ void ExplicitContact::book_ended(std::size_t before, Ledger& ledger) const {
   ledger.book(Column::contact_damping, -a.work.damping);
   ledger.book(Column::water, a.work.water);
   ledger.book(Column::contact_edges, a.work.normal + a.work.tangential);
-  ledger.book(Column::springs_dropped, a.normal_energy + a.tangential_energy);
+  ledger.book(Column::springs_dropped, a.normal_energy() + a.tangential_energy());
 }
 
 bool ExplicitContact::on_ghost(const ContactPoint& p) const { return (ghost_[p.node[0]] | ghost_[p.node[1]]) != 0; }
@@ -336,8 +330,8 @@ ExplicitContact::Rates ExplicitContact::respond(double h, std::size_t i, Contact
     motion.cn = p.cn;
     motion.ct = p.ct;
   }
-  if ((m.gap < 0.0 || m.bonded != 0 || law.dilation > 0.0) && p.cn > 0.0) {
-    rates = {row_rate(p, gap_row(p.at), v_), row_rate(p, stretch_row(p.at, m.anchor), v_), m.anchor, true};
+  if ((m.gap < 0.0 || m.bonded != 0 || law.dilation > 0.0) && p.cn > 0.0 && !motion.held_elsewhere) {
+    rates = rates_of(p, m.anchor, v_);
     motion.rate = rates.gap;
     motion.shear = rates.stretch;
   }
@@ -361,7 +355,7 @@ void ExplicitContact::leave_point(double h, std::size_t i) {
 
 void ExplicitContact::transfer_impact_energy(double h, const ContactPoint& p, const Left& was, ContactMemory& m) const {
   if (m.impact == 0.0 || !finder_.passed(p)) return;
-  const double left = was.normal_energy - was.work.normal;
+  const double left = was.normal_energy() - was.work.normal;
   if (left <= 0.0) return;
   const double half_way = 0.5 * h * row_rate(p, gap_row(p.at), v_);
   const double gap = half_way - std::sqrt(half_way * half_way + 2.0 * left / m.kn);
@@ -485,15 +479,41 @@ void ExplicitContact::make_way(double h) {
   finder_.settle(*list_);
 }
 
-void ExplicitContact::arrive_point(double h, std::size_t i, const Left* first, Chunk& chunk) {
+bool ExplicitContact::stays_open(const Left& was, std::size_t i) const {
+  const ContactPoint& p = list_->points[i];
+  const ContactMemory& m = list_->memory[i];
+  return was.open && m.bonded == 0 && m.slide.length == 0.0F && m.water == 0.0 && was.work.water == 0.0 &&
+         (p.suppressed || p.beyond || m.gap >= 0.0);
+}
+
+void ExplicitContact::arrive_point(double h, std::size_t i, Chunk& chunk) {
   const ContactPoint& p = list_->points[i];
   ContactMemory& m = list_->memory[i];
-  const Left left = first != nullptr ? *first : left_by(h, p, m);
-  if (first == nullptr)
-    finder_.move(i, *list_);
-  else if (finder_.made(i))
+  const Left left = left_by(h, p, m);
+  finder_.move(i, *list_);
+  weakened_[static_cast<std::size_t>(p.from)] = {m.slip, m.friction_change};
+  if (stays_open(left, i)) {
+    m.impact = 0.0;
+    energy_[i] = 0.0;
+    finder_.note(i, m);
+    return;
+  }
+  complete_point(h, i, left, chunk);
+}
+
+void ExplicitContact::arrive_first(double h, std::size_t i, const Left& left, Chunk& chunk) {
+  const ContactPoint& p = list_->points[i];
+  ContactMemory& m = list_->memory[i];
+  if (finder_.made(i))
     transfer_impact_energy(h, p, left, m);
-  if (!finder_.made(i)) weakened_[static_cast<std::size_t>(p.from)] = {m.slip, m.friction_change};
+  else
+    weakened_[static_cast<std::size_t>(p.from)] = {m.slip, m.friction_change};
+  complete_point(h, i, left, chunk);
+}
+
+void ExplicitContact::complete_point(double h, std::size_t i, const Left& left, Chunk& chunk) {
+  const ContactPoint& p = list_->points[i];
+  ContactMemory& m = list_->memory[i];
   const Rates rates = respond(h, i, *list_);
   const double slip = slip_in_step(i, left);
   if (slip != 0.0 || m.slide.length > 0.0F) chunk.slides.push_back({static_cast<std::int32_t>(i), slip});
@@ -517,8 +537,10 @@ void ExplicitContact::arrive_in_place(double h, State& state) {
   for_points(ledger, [&](std::size_t begin, std::size_t end, Chunk& chunk) {
     auto waiting = std::lower_bound(first.begin(), first.end(), static_cast<std::int32_t>(begin));
     for (std::size_t i = begin; i < end; ++i) {
-      const bool waits = waiting != first.end() && static_cast<std::size_t>(*waiting) == i;
-      arrive_point(h, i, waits ? &left_first_[static_cast<std::size_t>(waiting++ - first.begin())] : nullptr, chunk);
+      if (waiting != first.end() && static_cast<std::size_t>(*waiting) == i)
+        arrive_first(h, i, left_first_[static_cast<std::size_t>(waiting++ - first.begin())], chunk);
+      else
+        arrive_point(h, i, chunk);
     }
   });
   for (const ContactFinder::Changed& c : finder_.changed())

@@ -79,16 +79,20 @@ class ExplicitContact {
   struct Left {
     Half work;
     double gap = 0.0, stretch = 0.0, fn = 0.0, fd = 0.0, ft = 0.0, fdt = 0.0, kn = 0.0, kt = 0.0;
-    double normal_energy = 0.0, tangential_energy = 0.0;
     double foot = 0.0;
     SegmentIndex segment;
     bool open = true, bonded = false;
+    bool carries = false;  // no other edge or corner does
+
+    [[nodiscard]] double normal_energy() const { return carries ? NormalSpring{kn, bonded}.energy(gap) : 0.0; }
+    [[nodiscard]] double tangential_energy() const { return open ? 0.0 : tangential_spring_energy(kt, stretch); }
   };
   /// Rates of gap and stretch, the latter about an anchor [m/s].
   struct Rates {
     double gap = 0.0, stretch = 0.0, anchor = 0.0;
     bool known = false;
   };
+  [[nodiscard]] static Rates rates_of(const ContactPoint& p, double anchor, OutlineVelocities v);
   /// @param v  velocities of the outline nodes   @param rates  at these velocities, if they are known
   [[nodiscard]] Half half_work(double h, const ContactPoint& p, const ContactMemory& m, OutlineVelocities v,
                                const Rates& rates) const;
@@ -132,8 +136,14 @@ class ExplicitContact {
   /// the chunks to the ledger in their order, and lists slides_ and kinds_.
   template <class OfRange>
   void for_points(Ledger& ledger, OfRange&& of_range);
-  /// Part of arrive_in_place() for one point alone.   @param first  of a point of moves_first(), else null
-  [[gnu::flatten]] void arrive_point(double h, std::size_t i, const Left* first, Chunk& chunk);
+  /// Part of arrive_in_place() for one point alone.
+  [[gnu::flatten]] void arrive_point(double h, std::size_t i, Chunk& chunk);
+  /// The same for a point of moves_first(), which has moved.
+  [[gnu::flatten]] void arrive_first(double h, std::size_t i, const Left& left, Chunk& chunk);
+  /// For a point that has moved: its law, and its increments.
+  void complete_point(double h, std::size_t i, const Left& left, Chunk& chunk);
+  /// True for a point that has moved and on which no force acts, before or after.
+  [[nodiscard]] bool stays_open(const Left& was, std::size_t i) const;
   /// Part of arrive_in_place(): points that appear or end, and those that others may depend on.
   void make_way(double h);
   /// Part of arrive_in_place(): the check of friction for the points that slide, and the laws of friction.

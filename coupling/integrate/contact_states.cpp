@@ -37,7 +37,7 @@ void ContactStates::begin(const ContactList& list, const DofRows& rows, std::siz
     const auto i = static_cast<std::size_t>(at);
     const ContactPoint& p = list.points[i];
     const ContactMemory& m = list.memory[i];
-    strength_[i] = strength(law_of(i), m);
+    strength_[i] = strength(law_of(i), setup_->laws().tan_friction(static_cast<std::size_t>(m.joint)), m);
     ContactTrial& t = trial_[i];
     t = {p.suppressed ? ContactStatus::open : m.status, m.ft < 0.0 ? -1.0 : 1.0};
     t.opens = law_of(i).dilation > 0.0 && slip_left(i) > 0.0;

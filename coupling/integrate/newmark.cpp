@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <initializer_list>
 #include <limits>
 #include <utility>
 
@@ -37,11 +38,14 @@ Newmark::Newmark(const Setup& setup, const StepControl& control, double detectio
   weight_.assign(2 * static_cast<std::size_t>(setup.nodes()), 0.0);
   for (std::size_t p = 0; p < setup.pools(); ++p)
     setup.pool(p).body_force(setup.model().gravity, setup.part(std::span<double>(weight_), p));
-  for (auto* v :
-       {&gravity_, &load_, &release_load_, &load_before_, &inertia_, &damped_before_.mass, &damped_before_.stiffness,
-        &damped_before_.sliding, &damped_after_.mass, &damped_after_.stiffness, &damped_after_.sliding, &force_before_,
-        &force_, &force_after_, &acceleration_, &d_, &rate_, &rhs_, &out_})
-    v->assign(static_cast<std::size_t>(system_.dofs()), 0.0);
+  const auto make = [&](std::initializer_list<std::vector<double>*> vectors) {
+    for (auto* v : vectors) v->assign(static_cast<std::size_t>(system_.dofs()), 0.0);
+  };
+  make({&gravity_, &load_, &release_load_, &inertia_, &force_before_, &force_, &force_after_, &d_, &rate_, &rhs_,
+        &out_});
+  if (trapezoidal()) make({&load_before_, &acceleration_});
+  if (options.damping > 0.0) make({&damped_before_.mass, &damped_after_.mass});
+  if (options.stiffness_damping > 0.0) make({&damped_before_.stiffness, &damped_after_.stiffness});
   K_.assign(system_.pattern().size(), 0.0);
   A_ = K_;
   const auto nonlinear = system_.nonlinear_dofs();
@@ -105,8 +109,7 @@ double Newmark::enter(State& state) {
       contacts_.begin(*list_, state.q, driven_move_, springs_);
       std::fill(d_.begin(), d_.end(), 0.0);
       for (std::size_t i = 0; i < rhs_.size(); ++i)
-        rhs_[i] =
-            gravity_[i] + load_before_[i] + force_before_[i] + damped_before_.mass[i] + damped_before_.stiffness[i];
+        rhs_[i] = damped_before_.added_to(gravity_[i] + load_before_[i] + force_before_[i], i);
       // For a dashpot k at = -c v, see StepSprings.
       for (std::size_t k = 0; k < springs_.size(); ++k)
         springs_.rows[k].add_force((k < 2 * supports_.size() ? -1.0 : 1.0) * springs_.k[k] * springs_.at[k], rhs_);
@@ -223,7 +226,7 @@ void Newmark::damping_forces(const State& state, std::span<const double> rate, D
   std::fill(out.mass.begin(), out.mass.end(), 0.0);
   std::fill(out.stiffness.begin(), out.stiffness.end(), 0.0);
   if (damper_.acts()) {
-    std::fill(out.sliding.begin(), out.sliding.end(), 0.0);
+    out.sliding.assign(rate.size(), 0.0);
     damper_.add_force(-1.0, rate, out.sliding);
   }
   if (!C_.empty()) system_.pattern().multiply_add(-1.0, C_, rate, out.stiffness);
@@ -320,7 +323,7 @@ double Newmark::residual(const State& state, double h, double& largest) {
   largest = std::max({largest_of(gravity_), largest_of(load_), largest_of(force_after_), largest_of(damped_after_.mass),
                       largest_of(damped_after_.stiffness), largest_of(out_)});
   for (std::size_t i = 0; i < out_.size(); ++i)
-    out_[i] += gravity_[i] + load_[i] + force_after_[i] + damped_after_.mass[i] + damped_after_.stiffness[i];
+    out_[i] += damped_after_.added_to(gravity_[i] + load_[i] + force_after_[i], i);
   if (damper_.acts()) {
     largest = std::max(largest, largest_of(damped_after_.sliding));
     for (std::size_t i = 0; i < out_.size(); ++i) out_[i] += damped_after_.sliding[i];

@@ -95,8 +95,14 @@ class Newmark final : public TimeIntegrator {
 
   // newmark.cpp: the step's equations
   void prepare(const State& state, double h);
-  struct Damping {  // forces in the unknowns
+  struct Damping {  // forces in the unknowns; empty where there are none
     std::vector<double> mass, stiffness, sliding;
+
+    /// A force on unknown i, with those of the first two.
+    [[nodiscard]] double added_to(double force, std::size_t i) const {
+      if (!mass.empty()) force += mass[i];
+      return stiffness.empty() ? force : force + stiffness[i];
+    }
   };
   void prepare_damping(const State& state);
   void damping_forces(const State& state, std::span<const double> rate, Damping& out);

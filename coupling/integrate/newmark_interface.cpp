@@ -9,6 +9,7 @@ void Newmark::begin_interface_iteration(const State& state, double h) {
   // The iteration starts from the motion of the last step. Where interface constraints act it starts from rest: gaps
   // that are left at the constraints add up over the steps, and iterations from a farther start end with smaller ones.
   const bool goes_on = !interface_.constrained();
+  acceleration_.resize(d_.size());
   system_.accelerations(state.q, state.a, acceleration_);
   for (std::size_t i = 0; i < d_.size(); ++i) {
     d_[i] = h * system_.rate()[i];

@@ -31,16 +31,19 @@ double dot(const Body& b, const std::vector<double>& x, const std::vector<double
 }  // namespace
 
 StackDamping::StackDamping(const Setup& setup, const SlidingDamping& sliding) : setup_(&setup) {
-  const std::size_t n = setup.bodies().size();
-  exempt_.assign(n, 0);
+  for (std::size_t i = 0; i < setup.bodies().size(); ++i)
+    exempt_.push_back(setup.bodies()[i].divided || !sliding.damps(i) ? 1 : 0);
+  possible_ = std::count(exempt_.begin(), exempt_.end(), 0) >= 2;
+}
+
+void StackDamping::allocate() {
+  const std::size_t n = exempt_.size();
   wanted_.assign(n, 0);
   rate_.assign(n, 0.0);
   all_.assign(n, 0.0);
   rigid_.assign(n, {});
   force_.assign(n, Eigen::Vector3d::Zero());
-  for (std::size_t i = 0; i < n; ++i) exempt_[i] = setup.bodies()[i].divided || !sliding.damps(i) ? 1 : 0;
-  if (std::count(exempt_.begin(), exempt_.end(), 0) < 2) return;
-  for (auto* v : {&x_, &y_, &turn_, &work_}) v->assign(2 * static_cast<std::size_t>(setup.nodes()), 0.0);
+  for (auto* v : {&x_, &y_, &turn_, &work_}) v->assign(2 * static_cast<std::size_t>(setup_->nodes()), 0.0);
 }
 
 bool StackDamping::damped(const ContactMemory& m, std::size_t i, std::size_t j) const {
@@ -49,9 +52,10 @@ bool StackDamping::damped(const ContactMemory& m, std::size_t i, std::size_t j) 
 }
 
 bool StackDamping::find(const SlidingDamping& sliding, const Outlines& outlines, const ContactList& list) {
-  if (x_.empty() ||
+  if (!possible_ ||
       std::none_of(list.memory.begin(), list.memory.end(), [](const ContactMemory& m) { return m.slide.lost != 0; }))
     return false;
+  if (x_.empty()) allocate();
   std::fill(wanted_.begin(), wanted_.end(), 0);
   std::fill(rate_.begin(), rate_.end(), 0.0);
   std::fill(all_.begin(), all_.end(), 0.0);

@@ -50,12 +50,15 @@ class StackDamping {
     Eigen::Matrix3d inverse = Eigen::Matrix3d::Zero();   // (R^T M R)^-1
     double mass = 0.0;                                   // [kg]
   };
+  /// Makes the arrays below; few runs need them.
+  void allocate();
   [[nodiscard]] bool damped(const ContactMemory& m, std::size_t i, std::size_t j) const;
   void find_motion(std::size_t body, std::span<const double> q, std::span<const double> v);
   /// out = M u on the nodes of a body.
   void mass_apply(const Body& body, std::span<const double> q, std::span<const double> u, std::span<double> out) const;
 
   const Setup* setup_;
+  bool possible_ = false;              // at least two bodies are not exempt
   std::vector<char> exempt_, wanted_;  // per body, as all that follows
   std::vector<double> rate_;           // [1/s]
   std::vector<double> all_;            // normal forces of its contacts [N]

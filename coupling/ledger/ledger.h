@@ -97,6 +97,22 @@ class Ledger {
     value_[static_cast<std::size_t>(column)] += increment;
     moved_ += std::abs(increment);
   }
+  /// Several increments, with the same bits as by book(); the sum of their amounts stays in a register.
+  class Booking {
+   public:
+    explicit Booking(Ledger& ledger) : ledger_(&ledger), moved_(ledger.moved_) {}
+    Booking(const Booking&) = delete;
+    Booking& operator=(const Booking&) = delete;
+    ~Booking() { ledger_->moved_ = moved_; }
+    void book(Column column, double increment) {
+      ledger_->value_[static_cast<std::size_t>(column)] += increment;
+      moved_ += std::abs(increment);
+    }
+
+   private:
+    Ledger* ledger_;
+    double moved_;
+  };
   /// The same ledger of more bodies (sign 1) or fewer (-1), which are at rest and whose energies are constant.
   /// @param held  their energies, in the order of the energy columns [J]
   [[nodiscard]] Ledger with_resting(std::span<const double> held, double sign) const;

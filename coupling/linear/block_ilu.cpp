@@ -59,8 +59,8 @@ double invert_in_place(Rows& m) {
   return smallest;
 }
 
-/// Inverse of a pivot.   @return false: it is singular, or not distinct from a singular one in single precision
-bool invert(const FloatBlock& pivot, const double* unit, FloatBlock& inverse) {
+/// Inverts a pivot.   @return false: it is singular, or not distinct from a singular one in single precision
+bool invert(FloatBlock& pivot, const double* unit) {
   // Divided by their units, numbers can be compared. None has to be positive: friction allows any sign of the diagonal.
   double scale[kBlockSide];
   for (int i = 0; i < kBlockSide; ++i) scale[i] = 1.0 / unit[i];
@@ -81,7 +81,7 @@ bool invert(const FloatBlock& pivot, const double* unit, FloatBlock& inverse) {
     column.scale(all);
     column.scale(scale[j]);
     column.store(m[j]);
-    column.round_to(inverse.column[j]);
+    column.round_to(pivot.column[j]);
   }
   return std::isfinite(size_of(m).first);
 }
@@ -123,7 +123,6 @@ void BlockIlu::take(const BlockMatrix& A) {
   }
   column_.resize(A.blocks());
   factor_.resize(A.blocks());
-  inverse_.resize(rows);
   y_.resize(rows);
   failed_.assign(parts_.size(), 0);
   parallel_for(n, [&](std::int64_t at) {
@@ -151,14 +150,13 @@ bool BlockIlu::eliminate(const Part& part, std::span<const double> unit) {
     for (std::int32_t k = first_[row]; k < diagonal_[row]; ++k) {
       const std::size_t c = column(k);
       FloatBlock& left = factor_[static_cast<std::size_t>(k)];
-      left.multiply_by(inverse_[c]);
+      left.multiply_by(factor_[static_cast<std::size_t>(diagonal_[c])]);
       for (std::int32_t m = diagonal_[c] + 1; m < end_[c]; ++m)
         if (const std::int32_t at = place_[column(m)]; at >= 0)
           factor_[static_cast<std::size_t>(at)].subtract_product(left, factor_[static_cast<std::size_t>(m)]);
     }
     for (std::int32_t k = first_[row]; k < end_[row]; ++k) place_[column(k)] = -1;
-    const FloatBlock& pivot = factor_[static_cast<std::size_t>(diagonal_[row])];
-    if (!invert(pivot, &unit[kBlockSide * row], inverse_[row])) return false;
+    if (!invert(factor_[static_cast<std::size_t>(diagonal_[row])], &unit[kBlockSide * row])) return false;
   }
   return true;
 }
@@ -182,7 +180,7 @@ void BlockIlu::solve(const Part& part, std::span<const double> r, std::span<floa
     FloatColumn sum = y_[i];
     for (auto k = static_cast<std::size_t>(diagonal_[i]) + 1; k < static_cast<std::size_t>(end_[i]); ++k)
       factor_[k].subtract_from(sum, y_[static_cast<std::size_t>(column_[k])]);
-    inverse_[i].times(sum, y_[i]);
+    factor_[static_cast<std::size_t>(diagonal_[i])].times(sum, y_[i]);
     for (std::size_t j = 0; j < kBlockSide; ++j) z[kBlockSide * i + j] = y_[i][j];
   }
 }

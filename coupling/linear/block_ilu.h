@@ -43,8 +43,7 @@ class BlockIlu {
   // Per row: its blocks within its part, and the diagonal one.
   std::vector<std::int32_t> first_, diagonal_, end_;
   std::vector<std::int32_t> column_;
-  std::vector<FloatBlock> factor_;   // L D^-1 below the diagonal, U above it; on it D
-  std::vector<FloatBlock> inverse_;  // D^-1
+  std::vector<FloatBlock> factor_;   // L D^-1 below the diagonal, U above it; on it D^-1
   std::vector<FloatColumn> y_;       // scratch, per row
   std::vector<std::int32_t> place_;  // scratch: of the blocks of the present row by their columns; -1: none
   std::vector<char> failed_;         // scratch, per part

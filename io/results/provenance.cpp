@@ -13,7 +13,9 @@
 
 namespace scree::io {
 
-std::string case_hash(const Provenance& provenance) { return sha256(provenance.case_text); }
+std::string case_hash(const Provenance& provenance) {
+  return provenance.case_sha256.empty() ? sha256(provenance.case_text) : provenance.case_sha256;
+}
 
 std::string compiler() {
 #if defined(__clang__)

@@ -18,7 +18,8 @@ class File;
 struct Provenance {
   std::string version;    // of Scree
   std::string commit;     // of the source, empty when unknown
-  std::string case_text;  // as the user wrote it
+  std::string case_text;  // as the user wrote it; may be dropped once case_sha256 is set
+  std::string case_sha256;
   std::string command_line;
   std::vector<std::string> overrides;                          // key=value, of --set
   int threads = 1;                                             // actually used

@@ -185,6 +185,8 @@ void ResultsSink::begin(const Model& model, const coupling::Plan& plan) {
     make_files(h5::File::create(folder_.results(), size.bytes()), {}, model, plan, size);
     files_->file.flush();
   }
+  provenance_.case_sha256 = case_hash(provenance_);
+  std::string().swap(provenance_.case_text);  // it is in the file; assignment would keep its memory
 }
 
 void ResultsSink::make_files(h5::File file, const std::array<TableMark, 2>& tables, const Model& model,

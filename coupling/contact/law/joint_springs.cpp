@@ -4,8 +4,6 @@
 #include <cmath>
 #include <limits>
 
-#include "model/touching.h"
-
 namespace scree::coupling {
 namespace {
 
@@ -34,13 +32,8 @@ JointSprings::JointSprings(const Setup& setup) : setup_(&setup) {
     width_.push_back(width_of(block, Vec2(e.along.y(), -e.along.x())));
     modulus_over_width_.push_back(model.elasticity_of(id).p_modulus() / width_.back());
     root_area_.push_back(root_area[e.body.index()]);
+    joint_.push_back(e.joint);
   }
-}
-
-JointId JointSprings::law_of(EdgeIndex edge_a, EdgeIndex edge_b) const {
-  const auto& edges = setup_->outlines().edges;
-  const JointId a = edges[edge_a].joint, b = edges[edge_b].joint;
-  return law_between(setup_->model(), a, b);
 }
 
 double JointSprings::corner_length(JointId id, EdgeIndex edge_a, EdgeIndex edge_b) const {

@@ -7,6 +7,7 @@
 
 #include "coupling/bodies/setup.h"
 #include "coupling/contact_list.h"
+#include "model/touching.h"
 
 namespace scree::coupling {
 
@@ -17,7 +18,11 @@ class JointSprings {
 
   /// Law between two edges: that of the edge that names one; if both do, the one with the smaller friction angle; if
   /// neither does, the default joint of the model.
-  [[nodiscard]] JointId law_of(EdgeIndex edge_a, EdgeIndex edge_b) const;
+  [[nodiscard]] JointId law_of(EdgeIndex edge_a, EdgeIndex edge_b) const {
+    const JointId a = joint_[edge_a], b = joint_[edge_b];
+    if (a == b) return a.valid() ? a : setup_->model().default_joint;
+    return law_between(setup_->model(), a, b);
+  }
   /// True if the stiffness of a point is its tributary length times a stiffness per area; false if it is given per
   /// point.
   [[nodiscard]] bool per_area(JointId id) const { return !law(id).penalty; }
@@ -45,6 +50,7 @@ class JointSprings {
   [[nodiscard]] const JointLaw& law(JointId id) const { return setup_->model().joints[id.index()]; }
 
   const Setup* setup_;
+  IndexedVector<EdgeIndex, JointId> joint_;              // that it names
   IndexedVector<EdgeIndex, double> width_;               // [m]
   IndexedVector<EdgeIndex, double> modulus_over_width_;  // [Pa/m]
   IndexedVector<EdgeIndex, double> root_area_;           // of its block [m]

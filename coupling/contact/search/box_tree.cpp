@@ -38,39 +38,25 @@ std::size_t scattering(std::size_t n) {
 }  // namespace
 
 BoxTree::BoxTree(std::span<const Box> boxes) {
-  broadphase_.m_deferedcollide = true;  // overlaps are queried, not reported by Bullet
-  proxies_.resize(boxes.size());
+  leaves_.resize(boxes.size());
   nodes_.reserve(boxes.size());
   // Bullet inserts a box beside the nearest one in the tree. Boxes in the order of a file, row after row, make a tree
   // as deep as a row is long, and the time grows with the square of their number: 20 s for 400,000 of them.
   const std::size_t n = boxes.size(), stride = n > 0 ? scattering(n) : 0;
   for (std::size_t k = 0, i = 0; k < n; ++k, i = (i + stride) % n) {
-    const btDbvtVolume v = volume(boxes[i]);
-    proxies_[i] = static_cast<btDbvtProxy*>(
-        broadphase_.createProxy(v.Mins(), v.Maxs(), 0,
-                                reinterpret_cast<void*>(i),  // NOLINT(performance-no-int-to-ptr)
-                                btBroadphaseProxy::DefaultFilter, btBroadphaseProxy::AllFilter, nullptr));
+    // NOLINTNEXTLINE(performance-no-int-to-ptr): what the tree stores with a leaf is a pointer
+    leaves_[i] = tree_.insert(volume(boxes[i]), reinterpret_cast<void*>(i));
   }
   build();
 }
 
-BoxTree::~BoxTree() {
-  for (btDbvtProxy* p : proxies_) broadphase_.destroyProxy(p, nullptr);
-}
-
 void BoxTree::move(std::size_t i, const Box& box) {
-  const btDbvtVolume v = volume(box);
-  // Not setAabb(): it would add a margin of its own, in metres.
-  broadphase_.setAabbForceUpdate(proxies_[i], v.Mins(), v.Maxs(), nullptr);
+  btDbvtVolume v = volume(box);
+  tree_.update(leaves_[i], v);
   nodes_.clear();
 }
 
-void BoxTree::place(std::size_t i, const Box& box) {
-  btDbvtProxy& p = *proxies_[i];
-  p.leaf->volume = volume(box);
-  p.m_aabbMin = p.leaf->volume.Mins();
-  p.m_aabbMax = p.leaf->volume.Maxs();
-}
+void BoxTree::place(std::size_t i, const Box& box) { leaves_[i]->volume = volume(box); }
 
 void BoxTree::refit() {
   if (nodes_.empty()) list_nodes();
@@ -85,7 +71,7 @@ void BoxTree::list_nodes() {
   const auto wait = [this](btDbvtNode* node) {
     if (node != nullptr && node->isinternal()) waiting_.push_back(node);
   };
-  wait(tree().m_root);
+  wait(tree_.m_root);
   while (!waiting_.empty()) {
     btDbvtNode* node = waiting_.back();
     waiting_.pop_back();
@@ -108,14 +94,16 @@ double BoxTree::fit() {
 
 void BoxTree::build() {
   constexpr int kPairUp = 8;  // leaves at most that Bullet joins by trying all pairs
-  tree().optimizeTopDown(kPairUp);
+  tree_.optimizeTopDown(kPairUp);
   // A copy has its nodes in memory in the order in which they are visited; those of the tree are scattered.
-  struct Leaf final : btDbvt::IClone {
-    void CloneLeaf(btDbvtNode* leaf) override { static_cast<btDbvtProxy*>(leaf->data)->leaf = leaf; }
-  } to_proxy;
+  struct Leaves final : btDbvt::IClone {
+    explicit Leaves(std::vector<btDbvtNode*>& list) : of_boxes(&list) {}
+    void CloneLeaf(btDbvtNode* leaf) override { (*of_boxes)[index_of(leaf)] = leaf; }
+    std::vector<btDbvtNode*>* of_boxes;
+  } leaves(leaves_);
   btDbvt copy;
-  tree().clone(copy, &to_proxy);
-  std::swap(tree().m_root, copy.m_root);
+  tree_.clone(copy, &leaves);
+  std::swap(tree_.m_root, copy.m_root);
   list_nodes();
   narrowest_ = fit();
 }

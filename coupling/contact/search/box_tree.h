@@ -7,7 +7,7 @@
 #pragma GCC diagnostic ignored "-Wpedantic"
 #pragma GCC diagnostic ignored "-Wshadow"
 #pragma GCC diagnostic ignored "-Wunused-parameter"
-#include <BulletCollision/BroadphaseCollision/btDbvtBroadphase.h>
+#include <BulletCollision/BroadphaseCollision/btDbvt.h>
 #pragma GCC diagnostic pop
 
 #include <cstdint>
@@ -18,14 +18,14 @@
 
 namespace scree::coupling {
 
-/// Keeps boxes in btDbvtBroadphase (double precision). Its cache of pairs is left out: hashing every pair costs more
-/// than to list them anew.
+/// Keeps boxes in btDbvt, the tree of Bullet's broadphase (double precision). What btDbvtBroadphase adds to it is left
+/// out: hashing every pair in its cache costs more than to list them anew, and a proxy has 140 bytes.
 class BoxTree {
  public:
   explicit BoxTree(std::span<const Box> boxes);
   BoxTree(const BoxTree&) = delete;
   BoxTree& operator=(const BoxTree&) = delete;
-  ~BoxTree();
+  ~BoxTree() = default;
 
   /// Takes one box out of the tree and puts it in again: its cost grows with the logarithm of their number.
   void move(std::size_t i, const Box& box);
@@ -38,14 +38,14 @@ class BoxTree {
   template <class See>
   void for_overlaps(See&& see) {
     Caller<See> caller(see);
-    tree().collideTTpersistentStack(tree().m_root, tree().m_root, caller);
+    tree_.collideTTpersistentStack(tree_.m_root, tree_.m_root, caller);
   }
   /// Calls see(j) for every other box that overlaps one.
   template <class See>
   void for_overlaps_of(std::size_t i, See&& see) {
     const auto other = [&](std::size_t a, std::size_t b) { see(a == i ? b : a); };
     Caller<decltype(other)> caller(other);
-    tree().collideTTpersistentStack(tree().m_root, proxies_[i]->leaf, caller);
+    tree_.collideTTpersistentStack(tree_.m_root, leaves_[i], caller);
   }
 
  private:
@@ -57,19 +57,14 @@ class BoxTree {
     }
     See& see;
   };
-  static std::size_t index_of(const btDbvtNode* leaf) {
-    return reinterpret_cast<std::uintptr_t>(static_cast<const btDbvtProxy*>(leaf->data)->m_clientObject);
-  }
-  /// Bullet's other tree is for boxes at rest, and these do not rest long enough: they all move, or none.
-  btDbvt& tree() { return broadphase_.m_sets[btDbvtBroadphase::DYNAMIC_SET]; }
+  static std::size_t index_of(const btDbvtNode* leaf) { return reinterpret_cast<std::uintptr_t>(leaf->data); }
   void list_nodes();
   /// Fits the nodes to their leaves.   @return the extents of all nodes, summed [m]
   double fit();
   void build();
 
-  btNullPairCache no_pairs_;
-  btDbvtBroadphase broadphase_{&no_pairs_};
-  std::vector<btDbvtProxy*> proxies_;
+  btDbvt tree_;
+  std::vector<btDbvtNode*> leaves_;   // of the boxes
   std::vector<btDbvtNode*> nodes_;    // inner nodes, each before those below it; empty: to be listed
   std::vector<btDbvtNode*> waiting_;  // while they are listed
   double narrowest_ = 0.0;            // least of what fit() gave since the tree was built [m]

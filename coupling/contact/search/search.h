@@ -16,7 +16,7 @@ struct EdgePair {
   auto operator<=>(const EdgePair&) const = default;
 };
 
-/// Keeps a fattened box per boundary segment in btDbvtBroadphase (double precision) and moves it only when the segment
+/// Keeps a fattened box per boundary segment in BoxTree and moves it only when the segment
 /// leaves it. The pairs are a superset of all nearer than `reach`; those that depend on a box's history are excluded by
 /// the exact distance afterwards, so results never depend on the tree.
 class Search {

@@ -445,22 +445,23 @@ bool ContactFinder::touches(const VertexEdge& pair, const ContactMemory* was, bo
   return closed || p.edge_edge || admissible(p);
 }
 
-void ContactFinder::describe(const VertexEdge& pair, const ContactMemory* was, bool closed, ContactPoint& p) const {
-  const Outlines& o = setup_->outlines();
-  const Outlines::Vertex& v = o.vertices[pair.vertex];
-  const JointId law = springs_.law_of(pair.own, pair.edge);
+void ContactFinder::set_springs(const VertexEdge& pair, JointId law, ContactPoint& p) const {
   p.joint = law.value;
   p.springs = springs_.springs(law, pair.own, pair.edge,
                                p.edge_edge ? pair.tributary : springs_.corner_length(law, pair.own, pair.edge));
-  if (p.edge_edge && springs_.per_area(law)) {
-    const auto length = [this](SegmentIndex of) { return frames_[of].length; };
-    const double before = 0.5 * length(v.segment_in), after = 0.5 * length(leaving(p.vertex));
-    p.largest_tributary = before + after;
-    p.full_tributary =
-        std::min(0.5 * p.at.length, (v.edge_in == pair.own ? before : 0.0) + (v.edge_out == pair.own ? after : 0.0));
-    p.margin = kBoundMargin * p.largest_tributary / p.springs.tributary * std::max(p.springs.kn, p.springs.kt);
-  }
   p.first_gap0 = std::min(p.at.gap, 0.0);
+  if (!p.edge_edge || !springs_.per_area(law)) return;
+  const Outlines::Vertex& v = setup_->outlines().vertices[p.vertex];
+  const auto length = [this](SegmentIndex of) { return frames_[of].length; };
+  const double before = 0.5 * length(v.segment_in), after = 0.5 * length(leaving(p.vertex));
+  p.largest_tributary = before + after;
+  p.full_tributary =
+      std::min(0.5 * p.at.length, (v.edge_in == pair.own ? before : 0.0) + (v.edge_out == pair.own ? after : 0.0));
+  p.margin = kBoundMargin * p.largest_tributary / p.springs.tributary * std::max(p.springs.kn, p.springs.kt);
+}
+
+void ContactFinder::describe(const VertexEdge& pair, const ContactMemory* was, bool closed, ContactPoint& p) const {
+  set_springs(pair, springs_.law_of(pair.own, pair.edge), p);
   if (was == nullptr || (!closed && was->gap < 0.0)) {
     p.beside = neighbour(p, false);
     // In an impact the earlier points keep their memory, and a new one has none yet.

@@ -111,6 +111,10 @@ class ContactFinder {
   [[nodiscard]] bool admissible(const ContactPoint& p) const;
   /// 1/m for a force on a contact: of corner and foot.
   [[nodiscard]] double compliance(const ContactPoint& p) const;
+  struct Moving;
+  /// move() for a point that was closed in an edge-edge contact and stays over the same segment: all but what follows
+  /// from its place is as it was.   @return false: it is not such a point; nothing has changed
+  [[nodiscard]] bool move_along(const VertexEdge& pair, const Moving& moving, ContactPoint& p, ContactMemory& m) const;
   void place_nodes(std::span<const double> q);
   /// The points of pairs, in their order.
   void list_points(std::span<const VertexEdge> pairs, bool at_start, ContactList& out);
@@ -118,6 +122,8 @@ class ContactFinder {
   [[nodiscard]] bool touches(const VertexEdge& pair, const ContactMemory* was, bool closed, ContactPoint& p) const;
   /// Completes the point: springs, lengths of joint.
   void describe(const VertexEdge& pair, const ContactMemory* was, bool closed, ContactPoint& p) const;
+  /// The part of it that depends on the point's own place alone.
+  void set_springs(const VertexEdge& pair, JointId law, ContactPoint& p) const;
   /// Result of keeps() for one chunk of vertices.
   struct Kept {
     bool anew = false;                    // find_again() is required

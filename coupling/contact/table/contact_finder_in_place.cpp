@@ -217,11 +217,37 @@ void ContactFinder::splice(ContactList& list) {
   known_.expect(size);
 }
 
+bool ContactFinder::move_along(const VertexEdge& pair, const Moving& moving, ContactPoint& p, ContactMemory& m) const {
+  const bool alike = m.status != ContactStatus::open && m.edge_edge != 0 && m.impact == 0.0 && p.edge_edge &&
+                     pair.tributary > 0.0 && p.segment == moving.segment;
+  const JointId law = springs_.law_of(pair.own, pair.edge);
+  if (!alike || law.value != p.joint) return false;
+  p.from = moving.from;
+  p.beside = -1;
+  p.behind = pair.behind;
+  p.ahead = pair.ahead;
+  p.suppressed = false;
+  p.at = contact_geometry(x_[p.node[0]], frames_[p.segment]);
+  p.s_high = p.at.length + detection_;
+  set_springs(pair, law, p);
+  m.tributary = p.springs.tributary;
+  m.kn = p.springs.kn;
+  m.kt = p.springs.kt;
+  set_damping(p, m);
+  m.gap = p.at.gap - m.gap0;
+  m.stretch = (p.at.xi - m.anchor) * p.at.length;
+  return true;
+}
+
 void ContactFinder::move(std::size_t i, ContactList& list) {
   ContactPoint& p = list.points[i];
   ContactMemory& m = list.memory[i];
   const Moving& moving = moving_[i];
   const VertexEdge& pair = pairs_.pairs()[static_cast<std::size_t>(moving.pair)];
+  if (move_along(pair, moving, p, m)) {
+    if (!next_kind_[i].partnered && !setup_->model().waters.empty()) fill_with_water(p, m);
+    return;
+  }
   const bool closed = m.status != ContactStatus::open;
   const std::array partner{p.partner[0], p.partner[1]};
   p = ContactPoint{};

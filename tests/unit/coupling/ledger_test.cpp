@@ -28,6 +28,24 @@ TEST(Ledger, unknown_work_shows_as_closure) {
   EXPECT_EQ(ledger.closure(), 0.5);
 }
 
+TEST(Ledger, several_increments_are_booked_as_one_after_another) {
+  Ledger single, several;
+  for (int k = 1; k < 100; ++k) {
+    const double a = 1.0 / k, b = -0.3 / (k * k);
+    single.book(Column::friction, a);
+    single.book(Column::contact_geometry, b);
+    single.book(Column::friction, b);
+    Ledger::Booking booking(several);
+    booking.book(Column::friction, a);
+    booking.book(Column::contact_geometry, b);
+    booking.book(Column::friction, b);
+  }
+  for (const Column c : {Column::friction, Column::contact_geometry, Column::dilation})
+    EXPECT_EQ(several[c], single[c]);
+  EXPECT_EQ(several.moved(), single.moved());
+  EXPECT_GT(several.moved(), 0.0);
+}
+
 /// A force that acts on the bodies but is not in the ledger.
 class Hidden final : public ForceTerm {
  public:
