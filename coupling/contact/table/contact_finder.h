@@ -10,8 +10,7 @@ namespace scree::coupling {
 
 /// Finds contact points: the pairs of ContactPairs, each with the nearest segment of its edge, and its memory.
 /// Decisions depend on exact geometry and on the memory alone.
-/// @source docs/theory/contact-geometry.md, "Edge-edge contact"; docs/theory/contact-geometry.md, "Angle-edge contact";
-///         [Qu2013] 3.2.2, 2.4.3
+/// @source docs/theory/contact-geometry.md, "Edge-edge contact", "Angle-edge contact"; [Qu2013] 3.2.2, 2.4.3
 class ContactFinder {
  public:
   /// @param detection  pairs nearer than this are listed, open or closed [m]
@@ -93,9 +92,8 @@ class ContactFinder {
   void begin_impact(const ContactPoint& p, double speed, ContactMemory& m) const;
 
  private:
-  /// The nearest other point of the same edge-edge contact, else of one in line where the joint continues on another
-  /// block; -1 if there is none. It may be open only for a new point.
-  /// @param next_only  leave out the point's own contact
+  /// The nearest other point of the same edge-edge contact (unless `next_only`), else of one in line where the joint
+  /// continues on another block; -1 if there is none. It may be open only for a new point.
   [[nodiscard]] [[gnu::noinline]] std::int32_t neighbour(const ContactPoint& p, bool next_only) const;
   /// Depth of a point below the joint in line beside it; its whole depth where there is none, independent of gap0 [m].
   [[nodiscard]] double entry_depth(const ContactPoint& p) const;
@@ -111,18 +109,21 @@ class ContactFinder {
   [[nodiscard]] bool admissible(const ContactPoint& p) const;
   /// 1/m for a force on a contact: of corner and foot.
   [[nodiscard]] double compliance(const ContactPoint& p) const;
-  struct Moving;
-  /// move() for a point that was closed in an edge-edge contact and stays over the same segment: all but what follows
-  /// from its place is as it was.   @return false: it is not such a point; nothing has changed
+  struct Moving {  // by keeps(), for a point of the new list
+    std::int32_t pair = -1, from = -1;
+    SegmentIndex segment;
+    bool made = false;
+  };
+  /// move() for a point that was closed in an edge-edge contact and stays over the same segment.
+  /// @return false: it is not such a point; nothing has changed
   [[nodiscard]] bool move_along(const VertexEdge& pair, const Moving& moving, ContactPoint& p, ContactMemory& m) const;
   void place_nodes(std::span<const double> q);
   /// The points of pairs, in their order.
   void list_points(std::span<const VertexEdge> pairs, bool at_start, ContactList& out);
   /// Places a point that has its segment and `from`.   @return false: it is no contact point
   [[nodiscard]] bool touches(const VertexEdge& pair, const ContactMemory* was, bool closed, ContactPoint& p) const;
-  /// Completes the point: springs, lengths of joint.
+  /// Completes the point: springs, lengths of joint; and the part that depends on its own place alone.
   void describe(const VertexEdge& pair, const ContactMemory* was, bool closed, ContactPoint& p) const;
-  /// The part of it that depends on the point's own place alone.
   void set_springs(const VertexEdge& pair, JointId law, ContactPoint& p) const;
   /// Result of keeps() for one chunk of vertices.
   struct Kept {
@@ -130,8 +131,7 @@ class ContactFinder {
     std::vector<VertexIndex> changed;     // vertices whose points do not stay as they are
     std::vector<ContactPoint> of_vertex;  // scratch of passes_on()
   };
-  /// For keeps(): true if a vertex has a corner that passes to another edge.
-  /// @param first,last  points of the vertex
+  /// For keeps(): true if a vertex, with points first to last, has a corner that passes to another edge.
   [[nodiscard]] [[gnu::noinline]] bool passes_on(std::size_t first, std::size_t last, const ContactList& list,
                                                  std::vector<ContactPoint>& of_vertex) const;
   /// For keeps(): true if the pair is a point, or none, as it was before.
@@ -149,7 +149,7 @@ class ContactFinder {
   [[nodiscard]] bool complete_made(const ContactList& list);
   void set_range(ContactPoint& p, bool closed) const;
   void set_damping(ContactPoint& p, const ContactMemory& m) const;
-  /// True for a point at the reentrant corner of its body: the two edges that meet there are two contacts.
+  /// True for a point at a reentrant corner of its body: the two edges that meet there are two contacts.
   [[nodiscard]] bool reentrant(const ContactPoint& p) const;
   /// True if a closed corner has passed from one edge to another.
   [[nodiscard]] bool goes_over(const ContactPoint& from, const ContactPoint& to) const;
@@ -193,8 +193,7 @@ class ContactFinder {
   [[nodiscard]] bool beside_next_corner(const ContactPoint& p) const;
   /// @param divided  true: new mesh vertices lie on its joint beside a remembered point of a body made anew
   void fill(const ContactMemory* old, bool at_start, bool divided, ContactPoint& p, ContactMemory& m) const;
-  /// Gives a point with known `from` its memory, or its initial values.
-  /// @pre its memory in the list is as new
+  /// Gives a point with known `from` its memory, or its initial values.   @pre its memory in the list is as new
   void remember(std::size_t i, bool at_start, ContactList& out) const;
   /// True for a point that a mesh has added to a joint.
   [[nodiscard]] bool adds(const ContactPoint& p) const;
@@ -232,11 +231,6 @@ class ContactFinder {
     bool partnered = false, corner = false;
   };
   std::vector<Kind> kind_, next_kind_;
-  struct Moving {  // by keeps(), for a point of the new list
-    std::int32_t pair = -1, from = -1;
-    SegmentIndex segment;
-    bool made = false;
-  };
   std::vector<Moving> moving_, unchanged_;  // the latter scratch of make_changed()
   std::vector<Changed> changed_;
   ContactList made_;                   // of changed()
