@@ -179,7 +179,7 @@ bool read_head(int log, const fs::path& path, Head& head) {
          head.hash == head.right_hash();
 }
 
-/// True if a log has all that a file now lacks at its end: HDF5 makes its files shorter when it closes them.
+/// True if a log has all that a file now lacks at its end: HDF5 shortens its files at times.
 bool has_lost_end(int log, const fs::path& path, std::uint64_t length, std::uint64_t now) {
   if (now >= length) return true;
   std::uint64_t there = 0;  // no page is stored twice
