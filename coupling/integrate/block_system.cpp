@@ -151,14 +151,13 @@ void BlockSystem::add_point(const Incidence& at, std::int32_t body) {
 
 double BlockSystem::elongation(std::size_t row, std::size_t unit, std::span<const double> x) const {
   const double* h = &rows_->h()[static_cast<std::size_t>(rows_->start()[row])];
-  double sum = 0.0;
+  DoubleColumn products;
   for (const std::int32_t body : bodies_[unit]) {
     if (body < 0) break;
-    const double* of_body = &x[kBlockSide * static_cast<std::size_t>(body)];
-    for (int k = 0; k < kBlockSide; ++k) sum += h[k] * of_body[k];
+    products.add_products(DoubleColumn(h), DoubleColumn(&x[kBlockSide * static_cast<std::size_t>(body)]));
     h += kBlockSide;
   }
-  return sum;
+  return products.sum();
 }
 
 void BlockSystem::subtract_own(std::int32_t body, std::span<const double> x, double* sum) const {

@@ -167,16 +167,20 @@ class Newmark final : public TimeIntegrator {
 
   // newmark_books.cpp: state and ledger after an accepted step
   struct Energies {  // as in the equations of the step, before geometry is updated
-    double springs = 0.0, elastic = 0.0, supports = 0.0, kinetic = 0.0, bolts = 0.0;
+    double elastic = 0.0, supports = 0.0, kinetic = 0.0, bolts = 0.0;
   };
   void accept(State& state, Tick ticks_of_step);
   void book_bodies(Ledger& ledger, Energies& after);
   void book_damping(Ledger& ledger) const;
-  void book_contacts(Ledger& ledger, Energies& after) const;
-  [[nodiscard]] std::vector<double> remember_contacts(const State& state);
+  void book_springs(Ledger& ledger, Energies& after) const;
+  void book_contact(std::size_t point, Ledger::Booking& booking) const;
+  /// Sets a point's memory to the end of the step, before its geometry is updated.
+  void remember_contact(std::size_t point, const State& state);
+  /// book_contact() and remember_contact() of all points.
+  void leave_contacts(State& state);
   /// Moves the contact points to new positions: in place where possible, with bitwise the same result.
   void move_points(std::span<const double> q);
-  void book_contact_update(const State& state, std::vector<double> linear, Ledger& ledger);
+  void book_contact_update(State& state);
   void book_update(State& state, const Energies& after);
   void damp_stacks(State& state, double h);
 
@@ -190,10 +194,11 @@ class Newmark final : public TimeIntegrator {
   ContactList before_;
   bool always_anew_ = false;
   std::int64_t steps_in_place_ = 0;
-  struct Springs {
-    double kn, kt;
+  struct Linear {
+    double kn, kt;  // at the start of the step [N/m]
+    double energy;  // of the springs, as in the equations of the step [J]
   };
-  std::vector<Springs> stiffness_before_;  // of the points at the start of the step [N/m]
+  std::vector<Linear> linear_;  // of the points, before geometry is updated
   ImplicitSystem system_;
   OpenClose contacts_;
   StepSprings springs_;

@@ -61,7 +61,7 @@ void Newmark::book_damping(Ledger& ledger) const {
   if (damper_.acts()) ledger.book(Column::deformation_damping, -dot(damped_after_.sliding, d_));
 }
 
-void Newmark::book_contacts(Ledger& ledger, Energies& after) const {
+void Newmark::book_springs(Ledger& ledger, Energies& after) const {
   for (std::size_t i = 0; i < interface_springs_; ++i) {
     const double u = springs_.rows[i].change(d_), k = springs_.k[i], at = springs_.at[i];
     if (i < 2 * supports_.size()) {
@@ -71,77 +71,82 @@ void Newmark::book_contacts(Ledger& ledger, Energies& after) const {
       ledger.book(Column::viscous_edges, trapezoidal() ? 0.5 * k * u * u : -springs_.force(i, d_) * u);
     }
   }
-  for (std::size_t i = 0; i < contacts_.trials().size(); ++i) {
-    const OpenClose::Trial& t = contacts_.trials()[i];
-    const ContactMemory& m = list_->memory[i];
-    const double known = (t.fn + m.water) * contacts_.normal(i).known + t.ft * contacts_.tangential(i).known;
-    ledger.book(Column::prescribed_motion, -known);
-    if (m.water != 0.0) ledger.book(Column::water, m.water * contacts_.normal(i).change(d_));
-    // Normal: -(f dg + dU), split by cause; dg is that of the spring, without the opening by dilation.
-    if (t.opened != 0.0) ledger.book(Column::dilation, -t.fn * t.opened);
-    const double g0 = m.gap, g1 = t.gap, dg = g1 - g0;
-    // True if its energy was counted at the start of the step.
-    const bool counted = (g0 < 0.0 || m.bonded != 0) && !list_->points[i].suppressed && !list_->points[i].beyond;
-    const bool bond_broke = m.bonded != 0 && t.status == ContactStatus::open;
-    if (const double damping = t.fn - spring_force(t, m); damping != 0.0)
-      ledger.book(Column::contact_damping, -damping * dg);
-    if (loaded(t, m)) {
-      if (counted)
-        ledger.book(Column::newmark_damping, 0.5 * m.kn * dg * dg);
-      else
-        ledger.book(Column::contact_closing, 0.5 * m.kn * g1 * g1 - m.kn * g1 * g0);
-      after.springs += 0.5 * m.kn * g1 * g1;
-    } else if (counted) {
-      ledger.book(bond_broke ? Column::bonds_broken : Column::contact_closing, 0.5 * m.kn * g0 * g0);
-    }
-    // Tangential.
-    const double e0 = m.status == ContactStatus::open ? 0.0 : m.stretch, e1 = t.stretch;
-    if (t.status == ContactStatus::open) {
-      ledger.book(bond_broke ? Column::bonds_broken : Column::springs_dropped, 0.5 * m.kt * e0 * e0);
-      continue;
-    }
-    ledger.book(Column::newmark_damping, 0.5 * m.kt * (e1 - e0) * (e1 - e0));
-    if (t.status == ContactStatus::slip) ledger.book(Column::friction, -t.ft * (e0 + t.moved - e1));
-    after.springs += 0.5 * m.kt * e1 * e1;
-  }
 }
 
-std::vector<double> Newmark::remember_contacts(const State& state) {
+void Newmark::book_contact(std::size_t i, Ledger::Booking& booking) const {
+  const OpenClose::Trial& t = contacts_.trials()[i];
+  const ContactMemory& m = list_->memory[i];
+  const double known = (t.fn + m.water) * contacts_.normal(i).known + t.ft * contacts_.tangential(i).known;
+  if (known != 0.0) booking.book(Column::prescribed_motion, -known);
+  if (m.water != 0.0) booking.book(Column::water, m.water * contacts_.normal(i).change(d_));
+  // Normal: -(f dg + dU), split by cause; dg is that of the spring, without the opening by dilation.
+  if (t.opened != 0.0) booking.book(Column::dilation, -t.fn * t.opened);
+  const double g0 = m.gap, g1 = t.gap, dg = g1 - g0;
+  // True if its energy was counted at the start of the step.
+  const bool counted = (g0 < 0.0 || m.bonded != 0) && !list_->points[i].suppressed && !list_->points[i].beyond;
+  const bool bond_broke = m.bonded != 0 && t.status == ContactStatus::open;
+  if (const double damping = t.fn - spring_force(t, m); damping != 0.0)
+    booking.book(Column::contact_damping, -damping * dg);
+  if (loaded(t, m)) {
+    if (counted)
+      booking.book(Column::newmark_damping, 0.5 * m.kn * dg * dg);
+    else
+      booking.book(Column::contact_closing, 0.5 * m.kn * g1 * g1 - m.kn * g1 * g0);
+  } else if (counted) {
+    booking.book(bond_broke ? Column::bonds_broken : Column::contact_closing, 0.5 * m.kn * g0 * g0);
+  }
+  // Tangential.
+  const double e0 = m.status == ContactStatus::open ? 0.0 : m.stretch, e1 = t.stretch;
+  if (t.status == ContactStatus::open) {
+    if (e0 != 0.0) booking.book(bond_broke ? Column::bonds_broken : Column::springs_dropped, 0.5 * m.kt * e0 * e0);
+    return;
+  }
+  booking.book(Column::newmark_damping, 0.5 * m.kt * (e1 - e0) * (e1 - e0));
+  if (t.status == ContactStatus::slip) booking.book(Column::friction, -t.ft * (e0 + t.moved - e1));
+}
+
+void Newmark::remember_contact(std::size_t i, const State& state) {
   // A sticking point keeps its anchor in the material; that of a slipping one has the stretch at the friction limit, on
   // the new geometry.
-  const Outlines& o = setup_->outlines();
-  std::vector<double> linear(contacts_.trials().size(), 0.0);
+  const OpenClose::Trial& t = contacts_.trials()[i];
+  ContactMemory& m = list_->memory[i];
+  const ContactPoint& p = list_->points[i];
+  m.fd = t.fn - spring_force(t, m);
+  linear_[i] = {m.kn, m.kt,
+                0.5 * m.kn * (loaded(t, m) ? t.gap * t.gap : 0.0) +
+                    (t.status == ContactStatus::open ? 0.0 : 0.5 * m.kt * t.stretch * t.stretch)};
+  const JointLaw& law = setup_->laws()[static_cast<std::size_t>(m.joint)];
+  if (m.bonded != 0 && t.status == ContactStatus::open) mark_failed(law, m);
+  double slip = 0.0;
+  if (t.status == ContactStatus::slip) {
+    const Outlines& o = setup_->outlines();
+    const double before = m.status == ContactStatus::open ? 0.0 : m.stretch;
+    slip = before + t.moved - t.stretch;
+    m.slip += std::abs(slip);
+    m.gap0 += t.opened;
+    mark_failed(law, m);
+    const ContactGeometry g =
+        contact_geometry(position(o.nodes[p.node[0]], state.q), position(o.nodes[p.node[1]], state.q),
+                         position(o.nodes[p.node[2]], state.q));
+    m.anchor = g.xi - t.stretch / g.length;
+  }
+  if (t.status == ContactStatus::open && m.slide.length > 0.0F) slip = t.moved;  // the block hops while it slides
+  m.status = t.status;
+  m.fn = t.fn;
+  m.fdt = 0.0;
+  m.ft = t.ft;
+  if (checks_friction()) friction_check_.see(seconds(state.last_step), p, slip, m);
+}
+
+void Newmark::leave_contacts(State& state) {
+  linear_.resize(contacts_.trials().size());
   friction_check_.begin(*list_, seconds(state.time));
-  for (std::size_t i = 0; i < contacts_.trials().size(); ++i) {
-    const OpenClose::Trial& t = contacts_.trials()[i];
-    ContactMemory& m = list_->memory[i];
-    const ContactPoint& p = list_->points[i];
-    m.fd = t.fn - spring_force(t, m);
-    linear[i] = 0.5 * m.kn * (loaded(t, m) ? t.gap * t.gap : 0.0) +
-                (t.status == ContactStatus::open ? 0.0 : 0.5 * m.kt * t.stretch * t.stretch);
-    const JointLaw& law = setup_->laws()[static_cast<std::size_t>(m.joint)];
-    if (m.bonded != 0 && t.status == ContactStatus::open) mark_failed(law, m);
-    double slip = 0.0;
-    if (t.status == ContactStatus::slip) {
-      const double before = m.status == ContactStatus::open ? 0.0 : m.stretch;
-      slip = before + t.moved - t.stretch;
-      m.slip += std::abs(slip);
-      m.gap0 += t.opened;
-      mark_failed(law, m);
-      const ContactGeometry g =
-          contact_geometry(position(o.nodes[p.node[0]], state.q), position(o.nodes[p.node[1]], state.q),
-                           position(o.nodes[p.node[2]], state.q));
-      m.anchor = g.xi - t.stretch / g.length;
-    }
-    if (t.status == ContactStatus::open && m.slide.length > 0.0F) slip = t.moved;  // the block hops while it slides
-    m.status = t.status;
-    m.fn = t.fn;
-    m.fdt = 0.0;
-    m.ft = t.ft;
-    if (checks_friction()) friction_check_.see(seconds(state.last_step), p, slip, m);
+  Ledger::Booking booking(state.ledger);
+  for (std::size_t i = 0; i < linear_.size(); ++i) {  // both at once, while the point is in the cache
+    book_contact(i, booking);
+    remember_contact(i, state);
   }
   if (checks_friction()) friction_evolution_.advance(seconds(state.last_step), list_->memory);
-  return linear;
 }
 
 void Newmark::move_points(std::span<const double> q) {
@@ -177,29 +182,40 @@ void Newmark::move_points(std::span<const double> q) {
       kFewMoved, kContactChunk);
 }
 
-void Newmark::book_contact_update(const State& state, std::vector<double> linear, Ledger& ledger) {
-  stiffness_before_.clear();
-  for (const ContactMemory& m : list_->memory) stiffness_before_.push_back({m.kn, m.kt});
+void Newmark::book_contact_update(State& state) {
   move_points(state.q);
-  for (std::size_t b = 0; b < list_->memory.size(); ++b) {
-    const ContactPoint& p = list_->points[b];
-    ContactMemory m = list_->memory[b];
-    const double now = normal_energy(p, m) + tangential_energy(m);
-    if (p.from < 0) {
-      if (now != 0.0) ledger.book(Column::contact_edges, now);
-      continue;
+  Ledger& ledger = state.ledger;
+  double energy = 0.0;
+  bool adopts = false;
+  {
+    Ledger::Booking booking(ledger);
+    for (std::size_t b = 0; b < list_->memory.size(); ++b) {
+      const ContactPoint& p = list_->points[b];
+      const ContactMemory& m = list_->memory[b];
+      const double now = normal_energy(p, m) + tangential_energy(m);
+      energy += now;
+      adopts = adopts || ContactFinder::may_adopt(p, m);
+      if (p.from < 0) {
+        if (now != 0.0) booking.book(Column::contact_edges, now);
+        continue;
+      }
+      Linear& before = linear_[static_cast<std::size_t>(p.from)];
+      double with_old_tributary = now;
+      if (before.kn != m.kn || before.kt != m.kt) {
+        with_old_tributary = normal_energy(p, m, before.kn) + tangential_energy(m, before.kt);
+        booking.book(Column::contact_tributary, now - with_old_tributary);
+      }
+      booking.book(Column::update_contact, with_old_tributary - before.energy);
+      before.energy = 0.0;
     }
-    const auto a = static_cast<std::size_t>(p.from);
-    m.kn = stiffness_before_[a].kn;
-    m.kt = stiffness_before_[a].kt;
-    const double with_old_tributary = normal_energy(p, m) + tangential_energy(m);
-    ledger.book(Column::update_contact, with_old_tributary - linear[a]);
-    ledger.book(Column::contact_tributary, now - with_old_tributary);
-    linear[a] = 0.0;
+    for (const Linear& left : linear_)  // of contacts that ended
+      if (left.energy != 0.0) booking.book(Column::springs_dropped, left.energy);
   }
-  for (const double left : linear) ledger.book(Column::springs_dropped, left);  // of contacts that ended
-  ledger.book(Column::contact_tributary, finder_.adopt_kinds(*list_));
-  ledger.set(Column::contact_springs, contact_energy(*list_));
+  if (adopts) {
+    ledger.book(Column::contact_tributary, finder_.adopt_kinds(*list_));
+    energy = contact_energy(*list_);
+  }
+  ledger.set(Column::contact_springs, energy);
 }
 
 void Newmark::book_update(State& state, const Energies& after) {
@@ -234,7 +250,7 @@ void Newmark::accept(State& state, Tick ticks_of_step) {
   after.elastic = state.ledger[Column::elastic];
   book_bodies(state.ledger, after);
   book_damping(state.ledger);
-  book_contacts(state.ledger, after);
+  book_springs(state.ledger, after);
   if (bolts_.any()) after.bolts = bolts_.book(d_, springs_, state.ledger);
   if (trapezoidal()) {
     for (std::size_t i = 0; i < d_.size(); ++i)
@@ -251,10 +267,9 @@ void Newmark::accept(State& state, Tick ticks_of_step) {
   state.time += ticks_of_step;
   ++state.step;
   state.last_step = ticks_of_step;
-  std::vector<double> linear = remember_contacts(state);
-  book_contact_update(state, std::move(linear), state.ledger);
+  leave_contacts(state);
+  book_contact_update(state);
   contacts_.accept(state.factored);
-  state.ledger.set(Column::contact_springs, contact_energy(*list_));
   book_update(state, after);
   if (damper_.acts() && stacks_.find(sliding_, setup_->outlines(), *list_)) damp_stacks(state, h);
 }

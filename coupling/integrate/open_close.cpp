@@ -196,7 +196,9 @@ bool OpenClose::solve(std::span<const double> A, bool fresh, std::span<const dou
   exact_ = false;
   if (predict_) {
     states_.evaluate(d);
-    report.switches += states_.close();
+    const int closed = states_.close();
+    report.switches += closed;
+    exact_ = closed == 0;  // probably no state will change: a rough solution first would cost a pass over all points
   }
   predict_ = false;
   for (int pass = 0; left > 0; ++pass, --left) {
@@ -240,6 +242,7 @@ bool OpenClose::solve(std::span<const double> A, bool fresh, std::span<const dou
       report.cause = "friction forces did not settle (a wedge whose friction exceeds what its walls can balance?)";
       return false;
     }
+    if (pass == 0) exact_ = false;
     if (blocks_.acts) settle_clusters(d, report);
     report.switches += switched;
     counts_.switches += switched;

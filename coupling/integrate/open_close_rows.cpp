@@ -47,12 +47,19 @@ void OpenClose::add_rows(const ContactPoint& p, const ContactMemory& m, std::spa
 bool OpenClose::find_affine_charts(std::span<const double> q) {
   const Outlines& o = setup_->outlines();
   charted_.clear();
-  for (const ContactPoint& p : list_->points)
-    for (const OutlineNode node : p.node) {
-      if (chart_of_node_[node] >= 0 || setup_->body(o.node_body[node]).driven) continue;
+  row_size_.clear();
+  for (const ContactPoint& p : list_->points) {
+    const BodyIndex corner = o.node_body[p.node[0]], edge = o.node_body[p.node[1]];
+    const bool corner_moves = !setup_->body(corner).driven, edge_moves = !setup_->body(edge).driven;
+    const int bodies = (corner_moves ? 1 : 0) + (edge_moves && edge != corner ? 1 : 0);
+    row_size_.insert(row_size_.end(), 2, bodies * kBlockSide);
+    for (std::size_t i = 0; i < 3; ++i) {
+      const OutlineNode node = p.node[i];
+      if (!(i == 0 ? corner_moves : edge_moves) || chart_of_node_[node] >= 0) continue;
       chart_of_node_[node] = static_cast<std::int32_t>(charted_.size());
       charted_.push_back(node);
     }
+  }
   if (charted_.size() > affine_charts_.capacity()) {  // resize() would double it
     affine_charts_.clear();
     affine_charts_.reserve(charted_.size() + charted_.size() / 16);
@@ -76,14 +83,6 @@ bool OpenClose::find_affine_charts(std::span<const double> q) {
 
 bool OpenClose::add_affine_rows(std::span<const double> q, std::span<const Vec2> driven_move) {
   if (!find_affine_charts(q)) return false;
-  const Outlines& o = setup_->outlines();
-  constexpr auto kUnknowns = static_cast<std::int32_t>(std::tuple_size_v<decltype(AffineChart::tx)>);
-  row_size_.clear();
-  for (const ContactPoint& p : list_->points) {
-    const BodyIndex corner = o.node_body[p.node[0]], edge = o.node_body[p.node[1]];
-    const int bodies = (setup_->body(corner).driven ? 0 : 1) + (setup_->body(edge).driven || edge == corner ? 0 : 1);
-    row_size_.insert(row_size_.end(), 2, bodies * kUnknowns);
-  }
   rows_.extend(row_size_);
   parallel_for(
       std::ssize(list_->points), [&](std::int64_t i) { fill_affine_rows(static_cast<std::size_t>(i), driven_move); },

@@ -1,10 +1,8 @@
 #include "coupling/linear/block_ilu.h"
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
-#include <utility>
 
+#include "coupling/linear/block_inverse.h"
 #include "model/parallel.h"
 
 namespace scree::coupling {
@@ -12,78 +10,6 @@ namespace {
 
 void round_to(const double* block, FloatBlock& out) {
   for (int j = 0; j < kBlockSide; ++j) DoubleColumn(block + kBlockSide * j).round_to(out.column[j]);
-}
-
-using Rows = double[kBlockSide][kBlockSide];
-
-/// Sum and largest of the absolute values; the sum is finite if all numbers are.
-std::pair<double, double> size_of(const Rows& m) {
-  double sum = 0.0, largest = 0.0;
-  for (const auto& row : m)
-    for (const double x : row) {
-      sum += std::abs(x);
-      largest = std::max(largest, std::abs(x));
-    }
-  return {sum, largest};
-}
-
-/// Inverse by Gauss-Jordan elimination with exchanges of rows, in place.
-/// @return the smallest absolute pivot; if it is zero the matrix is singular, and m has no meaning
-double invert_in_place(Rows& m) {
-  double smallest = std::numeric_limits<double>::infinity();
-  int from[kBlockSide];
-  for (int k = 0; k < kBlockSide; ++k) {
-    int p = k;
-    for (int i = k + 1; i < kBlockSide; ++i)
-      if (std::abs(m[i][k]) > std::abs(m[p][k])) p = i;
-    from[k] = p;
-    if (p != k) std::swap(m[p], m[k]);
-    const double pivot = m[k][k];
-    smallest = std::min(smallest, std::abs(pivot));
-    if (smallest == 0.0) return 0.0;
-    m[k][k] = 1.0;
-    DoubleColumn row(m[k]);
-    row.scale(1.0 / pivot);
-    row.store(m[k]);
-    for (int i = 0; i < kBlockSide; ++i) {
-      if (i == k) continue;
-      const double factor = std::exchange(m[i][k], 0.0);
-      DoubleColumn other(m[i]);
-      other.add(-factor, row);
-      other.store(m[i]);
-    }
-  }
-  for (int k = kBlockSide; k-- > 0;)
-    if (from[k] != k)
-      for (auto& row : m) std::swap(row[k], row[from[k]]);
-  return smallest;
-}
-
-/// Inverts a pivot.   @return false: it is singular, or not distinct from a singular one in single precision
-bool invert(FloatBlock& pivot, const double* unit) {
-  // Divided by their units, numbers can be compared. None has to be positive: friction allows any sign of the diagonal.
-  double scale[kBlockSide];
-  for (int i = 0; i < kBlockSide; ++i) scale[i] = 1.0 / unit[i];
-  const DoubleColumn all(scale);
-  // The transpose, whose rows are the columns: its inverse is the transpose of the inverse.
-  Rows m;
-  for (int j = 0; j < kBlockSide; ++j) {
-    DoubleColumn column(pivot.column[j]);
-    column.scale(all);
-    column.scale(scale[j]);
-    column.store(m[j]);
-  }
-  const auto [sum, largest] = size_of(m);
-  constexpr double kSingular = 1e-7;
-  if (!std::isfinite(sum) || !(invert_in_place(m) > kSingular * largest)) return false;
-  for (int j = 0; j < kBlockSide; ++j) {
-    DoubleColumn column(m[j]);
-    column.scale(all);
-    column.scale(scale[j]);
-    column.store(m[j]);
-    column.round_to(pivot.column[j]);
-  }
-  return std::isfinite(size_of(m).first);
 }
 
 constexpr std::int32_t kWhole = 3000;   // rows that stay one part

@@ -20,14 +20,13 @@ struct DofRow {
   double known = 0.0;  // part of driven bodies
 
   [[nodiscard]] double change(std::span<const double> d) const {
-    double sum = known;
-    if (whole_bodies()) {  // the same sum, without looking up every unknown
-      for (std::size_t b = 0; b < dof.size(); b += kBody) {
-        const double *of_body = &d[static_cast<std::size_t>(dof[b])], *of_row = &h[b];
-        for (std::size_t i = 0; i < kBody; ++i) sum += of_row[i] * of_body[i];
-      }
-      return sum;
+    if (whole_bodies()) {  // without looking up every unknown
+      DoubleColumn products;
+      for (std::size_t b = 0; b < dof.size(); b += kBody)
+        products.add_products(DoubleColumn(&h[b]), DoubleColumn(&d[static_cast<std::size_t>(dof[b])]));
+      return known + products.sum();
     }
+    double sum = known;
     for (std::size_t i = 0; i < dof.size(); ++i) sum += h[i] * d[static_cast<std::size_t>(dof[i])];
     return sum;
   }

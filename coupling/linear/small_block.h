@@ -62,6 +62,15 @@ class DoubleColumn {
     head_ *= a;
     tail_ *= a;
   }
+  /// Adds the products of the numbers of x with those of y.
+  void add_products(const DoubleColumn& x, const DoubleColumn& y) {
+    head_ += x.head_ * y.head_;
+    tail_ += x.tail_ * y.tail_;
+  }
+  [[nodiscard]] double sum() const {
+    const Two two = __builtin_shufflevector(head_, head_, 0, 1) + __builtin_shufflevector(head_, head_, 2, 3) + tail_;
+    return two[0] + two[1];
+  }
 
  private:
   using Four = double __attribute__((vector_size(32)));
