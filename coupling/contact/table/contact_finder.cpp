@@ -34,6 +34,7 @@ ContactFinder::ContactFinder(const Setup& setup, double detection)
       touching_(1e-3 * detection),
       springs_(setup),
       pairs_(setup, springs_, 2.0 * detection),
+      quiet_(setup.outlines()),
       known_(setup.outlines()),
       x_(setup.outlines().nodes.size()),
       frames_(setup.outlines().segments.size()) {
@@ -132,15 +133,30 @@ ContactFinder::Under ContactFinder::segment_under(const Vec2& x, EdgeIndex edge,
   // Bent edges: a neighbour may be nearer than the segment that the straight line would give.
   const auto first = std::max(begin, next - 2), last = std::min(end, next + 1);
   auto best = first;
-  double nearest = squared(*first);
+  double nearest = squared(*first), second = std::numeric_limits<double>::infinity();
   for (auto s = first + 1; s < last; ++s) {
     const double d = squared(*s);
     // Of segments at one distance, to the last bit, the first one.
-    if (d >= nearest || std::sqrt(d) >= std::sqrt(nearest)) continue;
+    if (d >= nearest || std::sqrt(d) >= std::sqrt(nearest)) {
+      second = std::min(second, d);
+      continue;
+    }
+    second = nearest;
     nearest = d;
     best = s;
   }
-  return {e.first_segment + static_cast<std::int32_t>(best - begin), std::sqrt(nearest)};
+  Under out{e.first_segment + static_cast<std::int32_t>(best - begin), std::sqrt(nearest)};
+  // Each distance changes by what the point and the segment move, and the place along the edge by that and by what the
+  // edge turns, at most four times the way over its length.
+  out.room = 0.25 * (std::sqrt(second) - out.distance);
+  const double length = (x_[(end - 1)->b] - x_[begin->a]).norm();
+  const auto stays_beyond = [&](const Outlines::Segment& s) {
+    const double margin = std::abs(at - along.dot(x_[s.a])), farthest = (x - x_[s.a]).norm() + margin;
+    out.room = std::min(out.room, margin / (2.0 + 4.0 * farthest / length));
+  };
+  if (next != end) stays_beyond(*next);
+  if (next != begin + 1) stays_beyond(*(next - 1));
+  return out;
 }
 
 std::int32_t ContactFinder::neighbour(const ContactPoint& p, bool next_only) const {

@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "coupling/contact/table/contact_pairs.h"
+#include "coupling/contact/table/quiet_points.h"
 
 namespace scree::coupling {
 
@@ -97,10 +97,10 @@ class ContactFinder {
   [[nodiscard]] [[gnu::noinline]] std::int32_t neighbour(const ContactPoint& p, bool next_only) const;
   /// Depth of a point below the joint in line beside it; its whole depth where there is none, independent of gap0 [m].
   [[nodiscard]] double entry_depth(const ContactPoint& p) const;
-  /// The segment of an edge nearest to a point, and its distance [m].
+  /// The segment of an edge nearest to a point, its distance, and how far nodes may move before it can be another [m].
   struct Under {
     SegmentIndex segment;
-    double distance = 0.0;
+    double distance = 0.0, room = std::numeric_limits<double>::infinity();
   };
   /// @param guess  the segment that it was last time, counted within the edge; -1: not known
   [[nodiscard]] Under segment_under(const Vec2& x, EdgeIndex edge, std::int32_t guess) const;
@@ -134,11 +134,10 @@ class ContactFinder {
   /// For keeps(): true if a vertex, with points first to last, has a corner that passes to another edge.
   [[nodiscard]] [[gnu::noinline]] bool passes_on(std::size_t first, std::size_t last, const ContactList& list,
                                                  std::vector<ContactPoint>& of_vertex) const;
-  /// For keeps(): true if the pair is a point, or none, as it was before.
+  /// For keeps(): true if pair k is a point, or none, as it was before.
   /// @param row  its point in the list, or -1   @param segment  receives the segment that it lies over
   /// @param anew  becomes true where find_again() is required
-  [[nodiscard]] bool stays(const VertexEdge& pair, std::int32_t row, const ContactList& list, SegmentIndex& segment,
-                           bool& anew) const;
+  [[nodiscard]] bool stays(std::size_t k, std::int32_t row, const ContactList& list, SegmentIndex& segment, bool& anew);
   /// For keeps(): true if the pairs of a vertex are its points of the list; then moving_ contains them.
   [[nodiscard]] [[gnu::flatten]] bool stay(VertexIndex vertex, const ContactList& list, Kept& kept);
   /// For keeps(): makes the points of changed vertices anew, and their places in moving_.
@@ -218,6 +217,7 @@ class ContactFinder {
   double detection_, touching_;
   JointSprings springs_;
   ContactPairs pairs_;
+  QuietPoints quiet_;
   KnownContacts known_;
   double merged_ = 0.0;           // see merged()
   double largest_weights_ = 1.0;  // sum |w| of a row: how much farther than a node an outline node may move

@@ -29,25 +29,42 @@ void ContactFinder::take_noted(const ContactList& list) {
     known_.take_noted(list.briefs);
 }
 
-bool ContactFinder::stays(const VertexEdge& pair, std::int32_t row, const ContactList& list, SegmentIndex& segment,
-                          bool& anew) const {
+bool ContactFinder::stays(std::size_t k, std::int32_t row, const ContactList& list, SegmentIndex& segment, bool& anew) {
   const Outlines& o = setup_->outlines();
+  const VertexEdge& pair = pairs_.pairs()[k];
   const Outlines::Edge& edge = o.edges[pair.edge];
-  const bool listed = row >= 0, closed = listed && known_.closed(static_cast<std::size_t>(row));
+  const bool listed = row >= 0, closed = listed && known_.closed(static_cast<std::size_t>(row)),
+             faces = pair.tributary > 0.0, several = edge.segments > 1;
   segment = edge.first_segment;
-  if (closed && pair.tributary > 0.0 && edge.segments == 1) return true;
+  if (closed && faces && !several) return true;
+  using As = QuietPoints::Kind;
+  const As kind = closed ? As::closed : (listed ? As::open : As::none);
+  if (several && (faces || !listed) && quiet_.quiet(k, kind)) {
+    segment = quiet_.segment(k);
+    return true;
+  }
   const Vec2& at = x_[o.vertices[pair.vertex].node];
-  const Under under = closed && edge.segments == 1
+  const Under under = closed && !several
                           ? Under{segment, 0.0}
                           : segment_under(at, pair.edge, listed ? known_.segment(static_cast<std::size_t>(row)) : -1);
   segment = under.segment;
-  if (!closed && under.distance > detection_) return !listed;
-  if (closed && pair.tributary > 0.0) return true;
+  if (!closed && under.distance > detection_) {
+    // The distance to a segment changes by what both move.
+    if (several && !listed) quiet_.set(k, kind, segment, std::min(under.room, 0.5 * (under.distance - detection_)));
+    return !listed;
+  }
+  if (closed && faces) {  // and of several segments
+    quiet_.set(k, kind, segment, under.room);
+    return true;
+  }
   ContactPoint p;
   p.segment = segment;
   p.from = row;
   const ContactMemory* was = listed ? &list.memory[static_cast<std::size_t>(row)] : nullptr;
   if (touches(pair, was, closed, p) != listed) return false;
+  // Open, and near: such a point ends with the overlap, or where it is no longer near.
+  if (several && !closed && listed && faces && springs_.width(pair.edge) > 2.0 * detection_)
+    quiet_.set(k, kind, segment, std::min(under.room, 0.5 * (detection_ - under.distance)));
   anew = anew || (closed && tip_beside(p).valid());
   return true;
 }
@@ -86,7 +103,7 @@ bool ContactFinder::stay(VertexIndex vertex, const ContactList& list, Kept& kept
   for (std::size_t k = pairs_.first_pair(vertex); k < pairs_.first_pair(vertex + 1); ++k) {
     const bool listed = row < end && known_.edge(row) == pairs[k].edge;
     SegmentIndex segment;
-    if (!stays(pairs[k], listed ? static_cast<std::int32_t>(row) : -1, list, segment, kept.anew)) return false;
+    if (!stays(k, listed ? static_cast<std::int32_t>(row) : -1, list, segment, kept.anew)) return false;
     if (!listed) continue;
     moving_[row] = {static_cast<std::int32_t>(k), static_cast<std::int32_t>(row), segment};
     ++row;
@@ -97,6 +114,7 @@ bool ContactFinder::stay(VertexIndex vertex, const ContactList& list, Kept& kept
 bool ContactFinder::keeps(std::span<const double> q, const ContactList& list) {
   place_nodes(q);
   (void)pairs_.update(x_, known_, ContactPairs::Of::all_in_turn);
+  quiet_.begin(pairs_);
   if (known_.divided()) return false;
   const std::size_t size = known_.size(), vertices = setup_->outlines().vertices.size();
   moving_.resize(size);

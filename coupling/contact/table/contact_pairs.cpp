@@ -357,10 +357,12 @@ std::span<const VertexEdge> ContactPairs::update(OutlinePositions x, const Known
       try_edges(x, pair.a, pair.b, known, deep);
   deep.end();
   for (const Found& f : found) same = same && f.same;
-  if (same)
+  if (same) {
     refresh();
-  else
+  } else {
     sort();
+    lists_.number = ++numbers_;
+  }
   return lists_.pairs;
 }
 

@@ -53,6 +53,11 @@ class ContactPairs {
   [[nodiscard]] std::size_t first_pair(VertexIndex vertex) const {
     return static_cast<std::size_t>(lists_.first[vertex]);
   }
+  /// Of calls in turn: largest displacement of any node, summed over them since epoch() changed [m].
+  [[nodiscard]] double travel() const { return quiet_.travel(); }
+  [[nodiscard]] std::int64_t epoch() const { return quiet_.epoch(); }
+  /// Another number whenever pairs() lists other vertices against other edges.
+  [[nodiscard]] std::int64_t list_number() const { return lists_.number; }
   /// How far every outline node may move before update() can return a pair [m]; 0 if it could now.
   [[nodiscard]] double clearance(OutlinePositions x) { return search_.clearance(x); }
   /// Unit vector of an edge from its first to its last vertex.
@@ -124,9 +129,11 @@ class ContactPairs {
     std::vector<Found> found;                        // per chunk of pairs of edges; last those of deep_
     std::vector<Place> place;                        // of what was found, in pairs
     IndexedVector<VertexIndex, std::int32_t> first;  // its first pair, and the end
+    std::int64_t number = 0;                         // of list_number()
   };
   Lists lists_, other_;  // of the last update, and of the other kind (ghosts, or all): most updates of a kind are alike
   bool ghosts_ = false;  // lists_ is that of ghosts
+  std::int64_t numbers_ = 0;                       // the last list_number()
   std::vector<std::int32_t> origin_;               // scratch of sort()
   IndexedVector<VertexIndex, std::int32_t> next_;  // where sort() puts the next pair of a vertex
   std::vector<EdgePair> deep_;                     // of closed contacts deeper than the search reaches

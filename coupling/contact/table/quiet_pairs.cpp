@@ -10,6 +10,7 @@ void QuietPairs::begin(OutlinePositions x, std::span<const IndexRange<OutlineNod
   if (!known_) {
     known_ = true;
     travel_ = 0.0;
+    ++epoch_;
     const std::size_t most = near.size() + near.size() / 4;  // so that steps need not allocate
     for (auto* pairs : {&pairs_, &before_}) pairs->reserve(most);
     for (auto* until : {&until_, &until_before_}) until->reserve(most);
@@ -28,7 +29,10 @@ void QuietPairs::begin(OutlinePositions x, std::span<const IndexRange<OutlineNod
       x_[i] = x[i];
     }
   travel_ += std::sqrt(farthest);
-  if (!finite) std::fill(until_.begin(), until_.end(), 0.0);
+  if (!finite) {
+    std::fill(until_.begin(), until_.end(), 0.0);
+    ++epoch_;
+  }
   if (!listed_anew) return;
   before_.swap(pairs_);
   until_before_.swap(until_);

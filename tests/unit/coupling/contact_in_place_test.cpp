@@ -195,6 +195,22 @@ TEST(ContactInPlace, of_meshes_that_fall_and_slide_is_that_listed_anew) {
   EXPECT_GT(c.slipping, 100);
 }
 
+TEST(ContactInPlace, of_a_mesh_that_slides_along_a_bent_one_is_that_listed_anew) {
+  // Its nodes pass the nodes below one by one, most of them at some distance from the ends of a segment in each step;
+  // the slab below is soft, so that its edge is bent, and the block hops.
+  Scene scene(5e7, 0.3, 2500.0);
+  scene.model.joints[0].friction = 0.3;
+  scene.add("base", test::rectangle(-1.0, -1.0, 7.0, 0.0), true);
+  scene.add("slab", test::rectangle(0.0, 0.0, 6.0, 0.6));
+  const BlockId block = scene.add("block", test::rectangle(0.4, 0.6, 1.9, 1.5));
+  scene.model.initial_velocities.push_back({block, {4.0, -0.5}, 0.4});
+  scene.stage("nmm", Integrator::explicit_, 1.0, std::nullopt, 0.35);
+  const Counts c = compare(scene, 3000, 0.03);
+  EXPECT_GT(c.in_place, 2500);
+  EXPECT_GT(c.slipping, 5000);
+  EXPECT_GT(c.opened, 5000);
+}
+
 TEST(ContactInPlace, of_shaken_walls_is_that_listed_anew) {
   for (const char* method : {"dda", "nmm"}) {
     const Counts c = compare(wall(method, 0.3), 1500, 0.02);
