@@ -90,6 +90,7 @@ class OpenClose {
   [[nodiscard]] const ChartRow& chart(OutlineNode node, std::span<const double> q);
   /// add_rows() for affine bodies, on threads.   @return false: a chart does not have six successive unknowns
   [[nodiscard]] bool add_affine_rows(std::span<const double> q, std::span<const Vec2> driven_move);
+  /// Finds the charts of the points' nodes, and the sizes of their rows.
   [[nodiscard]] bool find_affine_charts(std::span<const double> q);
   void fill_affine_rows(std::size_t point, std::span<const Vec2> driven_move);
   /// Finds stiffnesses and right-hand side for the states of the points.
