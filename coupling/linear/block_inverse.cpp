@@ -58,21 +58,21 @@ double eliminate_with_exchanges(Rows& m) {
 using WideRow = double __attribute__((vector_size(64)));
 
 /// One step of Gauss-Jordan elimination without exchanges.   @param smallest  becomes the smallest pivot so far
-template <int k>
+template <int Step>
 [[gnu::always_inline]] inline void eliminate(WideRow (&m)[kBlockSide], double& smallest) {
-  // Number k of a row is replaced by that of another.
-  constexpr auto from = [](int i) { return i == k ? 8 + i : i; };
+  // Number `Step` of a row is replaced by that of another.
+  constexpr auto from = [](int i) { return i == Step ? 8 + i : i; };
   constexpr WideRow zeros = {};
-  const double pivot = m[k][k];
+  const double pivot = m[Step][Step];
   smallest = std::min(smallest, std::abs(pivot));
   const WideRow row =
-      __builtin_shufflevector(m[k], zeros + 1.0, from(0), from(1), from(2), from(3), from(4), from(5), 6, 7) *
+      __builtin_shufflevector(m[Step], zeros + 1.0, from(0), from(1), from(2), from(3), from(4), from(5), 6, 7) *
       (1.0 / pivot);
-  m[k] = row;
+  m[Step] = row;
 #pragma GCC unroll 6
   for (int i = 0; i < kBlockSide; ++i) {
-    if (i == k) continue;
-    const double factor = m[i][k];
+    if (i == Step) continue;
+    const double factor = m[i][Step];
     m[i] =
         __builtin_shufflevector(m[i], zeros, from(0), from(1), from(2), from(3), from(4), from(5), 6, 7) - factor * row;
   }

@@ -28,8 +28,11 @@ class QuietPoints {
     travel_ = pairs.travel();
     const bool goes_on = std::exchange(epoch_, pairs.epoch()) == pairs.epoch();
     if (std::exchange(number_, pairs.list_number()) == pairs.list_number() && goes_on) return;
+    const std::size_t size = pairs.pairs().size();
+    if (size > bounds_.capacity() || size >= before_.capacity())  // so that later steps need not allocate
+      for (auto* bounds : {&bounds_, &before_}) bounds->reserve(size + size / 4 + 1);
     before_.swap(bounds_);
-    bounds_.resize(pairs.pairs().size());
+    bounds_.resize(size);
     if (!goes_on) before_.clear();
     before_.push_back({std::numeric_limits<std::int64_t>::max()});
     std::size_t old = 0;
