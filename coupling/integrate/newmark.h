@@ -173,9 +173,9 @@ class Newmark final : public TimeIntegrator {
   void book_bodies(Ledger& ledger, Energies& after);
   void book_damping(Ledger& ledger) const;
   void book_springs(Ledger& ledger, Energies& after) const;
-  void book_contact(std::size_t point, Ledger::Booking& booking) const;
-  /// Sets a point's memory to the end of the step, before its geometry is updated.
-  void remember_contact(std::size_t point, const State& state);
+  void book_contact(std::size_t i, Ledger::Booking& booking) const;
+  /// Sets the memory of point i to the end of the step, before its geometry is updated.
+  void remember_contact(std::size_t i, const State& state);
   /// book_contact() and remember_contact() of all points.
   void leave_contacts(State& state);
   /// Moves the contact points to new positions: in place where possible, with bitwise the same result.

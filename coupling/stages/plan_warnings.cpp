@@ -20,6 +20,7 @@ namespace {
 
 constexpr std::size_t kMostNames = 5;
 constexpr double kSlender = 0.5;  // base over height below which a shaken block is expected to rock
+constexpr double kTopples = 1.1;  // the same of a block that its weight overturns, over the slope of its base
 constexpr double kDegrees = 180.0 / std::numbers::pi;
 
 /// Groups of blocks that are connected by touching.
@@ -288,10 +289,11 @@ std::vector<std::string> rocking_warnings(const Model& model, const Plan& plan, 
                       std::any_of(model.body_accelerations.begin(), model.body_accelerations.end(),
                                   [](const BodyAcceleration& a) { return a.function.valid(); });
   const Vec2 weight = weight_direction(model);
-  if (!shaken || weight == Vec2::Zero()) return {};
+  if (weight == Vec2::Zero()) return {};
   const Vec2 up = -weight.normalized();
   struct Base {
     double length = 0.0, friction = 0.0;
+    Vec2 push{0.0, 0.0};  // into the block
     bool automatic = true, alone = true;
   };
   std::vector<Base> bases(model.blocks.size());
@@ -303,6 +305,7 @@ std::vector<std::string> rocking_warnings(const Model& model, const Plan& plan, 
     }
     const JointLaw& law = model.joints[s.law.index()];
     base.length += s.length;
+    base.push = push;
     base.friction = std::max(base.friction, law.friction);
     base.automatic = base.automatic && !law.normal_stiffness && !law.penalty && law.tensile_strength == 0.0;
   };
@@ -314,12 +317,18 @@ std::vector<std::string> rocking_warnings(const Model& model, const Plan& plan, 
   const auto rocks = [&](BlockId b) {
     const Base& base = bases[b.index()];
     if (!base.alone || !base.automatic || base.length == 0.0 || model.support_of(b) != nullptr) return false;
-    double low = std::numeric_limits<double>::infinity(), high = -low;
-    for (const Vec2& x : model.blocks[b.index()].polygon.outer) {
-      low = std::min(low, up.dot(x));
-      high = std::max(high, up.dot(x));
-    }
-    return base.length < std::min(kSlender, std::tan(base.friction)) * (high - low);  // it rocks before it slides
+    const auto height = [&](const Vec2& along) {
+      double low = std::numeric_limits<double>::infinity(), high = -low;
+      for (const Vec2& x : model.blocks[b.index()].polygon.outer) {
+        low = std::min(low, along.dot(x));
+        high = std::max(high, along.dot(x));
+      }
+      return high - low;
+    };
+    // Before it slides: shaken, or since its weight acts beyond its base or near the end of it.
+    const double rough = std::tan(base.friction), leans = std::abs(cross(up, base.push)) / up.dot(base.push);
+    return (shaken && base.length < std::min(kSlender, rough) * height(up)) ||
+           base.length < std::min(kTopples * leans, rough) * height(base.push);
   };
   for (const Stage& stage : plan.stages) {
     if (!dynamic(stage)) continue;
@@ -333,8 +342,9 @@ std::vector<std::string> rocking_warnings(const Model& model, const Plan& plan, 
     if (soft.empty()) continue;
     return {fmt::format(
         "stage '{}': {} {} rock on a joint with normal_stiffness = \"auto\" that the NMM divides: its edge is "
-        "compliant, so that a block rocks farther than a rigid one, by a fifth or more under a short pulse, and "
-        "overturns somewhat earlier; a normal_stiffness a hundred times the automatic one, or the DDA, is closer to "
+        "compliant, so that a block rocks or topples farther than a rigid one, by a fifth or more under a short pulse "
+        "or in the first second, and overturns somewhat earlier; a normal_stiffness a hundred times the automatic one, "
+        "or the DDA, is closer to "
         "rigid blocks",
         stage.name, soft.size() == 1 ? "block" : "blocks", named_blocks(model, soft) + " may")};
   }

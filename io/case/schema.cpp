@@ -143,7 +143,8 @@ constexpr Key kKeys[] = {
      "an edge, a hinge between two blocks rests on its outermost piece only and is softer than between blocks of "
      "the DDA, whose joints have two points, each with half of the length: the limit of an arch changes by about "
      "3 %. Ten times the automatic stiffness, or the DDA, is closer to rigid blocks; `scree check` warns about "
-     "such arches, and about free-standing slender blocks on such a joint, which rock farther than rigid ones."},
+     "such arches, and about free-standing blocks on such a joint that rock or topple: they do so farther than rigid "
+     "ones."},
     {"joint.NAME.shear_stiffness", Type::number_or_auto, "Pa/m", kPositive, "\"auto\"", false, "",
      "Shear stiffness per area. \"auto\" is the normal stiffness."},
     {"joint.NAME.contact_length", Type::number, "m", kPositive, "", false, "",
