@@ -68,8 +68,7 @@ class ContactFinder {
   void take_noted(const ContactList& list);
   /// After find(): energy of springs that ended and that other closed points have taken over [J].
   [[nodiscard]] double merged() const { return merged_; }
-  /// After find(): how far every node of the state may move before find() can list a point [m]; 0 if there are
-  /// candidates now.
+  /// After find(): how far every node may move before find() can list a point [m]; 0 if there are candidates now.
   [[nodiscard]] double clearance() { return pairs_.clearance(x_) / largest_weights_; }
   /// Gives closed points that changed between edge-edge and angle-edge, and corners that passed to another edge, the
   /// stiffness of their new kind; force and state stay, gap0 and anchor move.
@@ -134,10 +133,11 @@ class ContactFinder {
   /// For keeps(): true if a vertex, with points first to last, has a corner that passes to another edge.
   [[nodiscard]] [[gnu::noinline]] bool passes_on(std::size_t first, std::size_t last, const ContactList& list,
                                                  std::vector<ContactPoint>& of_vertex) const;
-  /// For keeps(): true if pair k is a point, or none, as it was before.
-  /// @param row  its point in the list, or -1   @param segment  receives the segment that it lies over
-  /// @param anew  becomes true where find_again() is required
-  [[nodiscard]] bool stays(std::size_t k, std::int32_t row, const ContactList& list, SegmentIndex& segment, bool& anew);
+  /// For keeps(): true if the pair is a point, or none, as it was before.   @param row  its point in the list, or -1
+  /// @param segment, room  receive those of Under, room only where it is not 0: of meshes, of none and of overlaps
+  /// @param anew           becomes true where find_again() is required
+  [[nodiscard]] bool stays(const VertexEdge& pair, std::int32_t row, const ContactList& list, SegmentIndex& segment,
+                           double& room, bool& anew) const;
   /// For keeps(): true if the pairs of a vertex are its points of the list; then moving_ contains them.
   [[nodiscard]] [[gnu::flatten]] bool stay(VertexIndex vertex, const ContactList& list, Kept& kept);
   /// For keeps(): makes the points of changed vertices anew, and their places in moving_.

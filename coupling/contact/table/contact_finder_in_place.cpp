@@ -29,20 +29,14 @@ void ContactFinder::take_noted(const ContactList& list) {
     known_.take_noted(list.briefs);
 }
 
-bool ContactFinder::stays(std::size_t k, std::int32_t row, const ContactList& list, SegmentIndex& segment, bool& anew) {
+bool ContactFinder::stays(const VertexEdge& pair, std::int32_t row, const ContactList& list, SegmentIndex& segment,
+                          double& room, bool& anew) const {
   const Outlines& o = setup_->outlines();
-  const VertexEdge& pair = pairs_.pairs()[k];
   const Outlines::Edge& edge = o.edges[pair.edge];
   const bool listed = row >= 0, closed = listed && known_.closed(static_cast<std::size_t>(row)),
              faces = pair.tributary > 0.0, several = edge.segments > 1;
   segment = edge.first_segment;
   if (closed && faces && !several) return true;
-  using As = QuietPoints::Kind;
-  const As kind = closed ? As::closed : (listed ? As::open : As::none);
-  if (several && (faces || !listed) && quiet_.quiet(k, kind)) {
-    segment = quiet_.segment(k);
-    return true;
-  }
   const Vec2& at = x_[o.vertices[pair.vertex].node];
   const Under under = closed && !several
                           ? Under{segment, 0.0}
@@ -50,11 +44,11 @@ bool ContactFinder::stays(std::size_t k, std::int32_t row, const ContactList& li
   segment = under.segment;
   if (!closed && under.distance > detection_) {
     // The distance to a segment changes by what both move.
-    if (several && !listed) quiet_.set(k, kind, segment, std::min(under.room, 0.5 * (under.distance - detection_)));
+    if (several && !listed) room = std::min(under.room, 0.5 * (under.distance - detection_));
     return !listed;
   }
-  if (closed && faces) {  // and of several segments
-    quiet_.set(k, kind, segment, under.room);
+  if (closed && faces) {
+    room = under.room;
     return true;
   }
   ContactPoint p;
@@ -63,8 +57,8 @@ bool ContactFinder::stays(std::size_t k, std::int32_t row, const ContactList& li
   const ContactMemory* was = listed ? &list.memory[static_cast<std::size_t>(row)] : nullptr;
   if (touches(pair, was, closed, p) != listed) return false;
   // Open, and near: such a point ends with the overlap, or where it is no longer near.
-  if (several && !closed && listed && faces && springs_.width(pair.edge) > 2.0 * detection_)
-    quiet_.set(k, kind, segment, std::min(under.room, 0.5 * (detection_ - under.distance)));
+  if (several && listed && !closed && p.edge_edge && springs_.width(pair.edge) > 2.0 * detection_)
+    room = std::min(under.room, 0.5 * (detection_ - under.distance));
   anew = anew || (closed && tip_beside(p).valid());
   return true;
 }
@@ -102,8 +96,17 @@ bool ContactFinder::stay(VertexIndex vertex, const ContactList& list, Kept& kept
   std::size_t row = first;
   for (std::size_t k = pairs_.first_pair(vertex); k < pairs_.first_pair(vertex + 1); ++k) {
     const bool listed = row < end && known_.edge(row) == pairs[k].edge;
+    using As = QuietPoints::Kind;
+    const As kind = !listed ? As::none : (known_.closed(row) ? As::closed : As::open);
     SegmentIndex segment;
-    if (!stays(k, listed ? static_cast<std::int32_t>(row) : -1, list, segment, kept.anew)) return false;
+    if ((!listed || pairs[k].tributary > 0.0) && quiet_.quiet(k, kind)) {
+      segment = quiet_.segment(k);
+    } else {
+      double room = 0.0;
+      const std::int32_t known = listed ? static_cast<std::int32_t>(row) : -1;
+      if (!stays(pairs[k], known, list, segment, room, kept.anew)) return false;
+      if (room > 0.0) quiet_.set(k, kind, segment, room);
+    }
     if (!listed) continue;
     moving_[row] = {static_cast<std::int32_t>(k), static_cast<std::int32_t>(row), segment};
     ++row;

@@ -44,7 +44,7 @@ class QuietPoints {
   }
   /// True if pair k, which was of this kind at the instant before, still is and lies over segment(k).
   [[nodiscard]] bool quiet(std::size_t k, Kind kind) const {
-    return bounds_[k].until > travel_ && bounds_[k].kind == kind;
+    return acts_ && bounds_[k].until > travel_ && bounds_[k].kind == kind;
   }
   [[nodiscard]] SegmentIndex segment(std::size_t k) const { return bounds_[k].segment; }
   /// Pair k stays of its kind and over its segment while no node is farther than `room` from where it is now [m].
