@@ -13,13 +13,6 @@ const std::array<Mat2, 4>& gradients() {
 
 }  // namespace
 
-Mat26 shi_matrix(const Vec2& r) {
-  Mat26 T;
-  T << 1.0, 0.0, -r.y(), r.x(), 0.0, 0.5 * r.y(),  //
-      0.0, 1.0, r.x(), 0.0, r.y(), 0.5 * r.x();
-  return T;
-}
-
 Mat2 step_gradient(const Vec6& D) { return (Mat2() << D(3), 0.5 * D(5) - D(2), 0.5 * D(5) + D(2), D(4)).finished(); }
 
 Vec6 rates_of(const Vec2& vc, const Mat2& G) {

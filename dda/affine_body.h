@@ -15,7 +15,12 @@ using Mat6 = Eigen::Matrix<double, kUnknowns, kUnknowns>;
 using Mat26 = Eigen::Matrix<double, 2, kUnknowns>;
 
 /// Shi's matrix T at a point, r = x - x0: displacement = T D.
-[[nodiscard]] Mat26 shi_matrix(const Vec2& r);
+[[nodiscard]] inline Mat26 shi_matrix(const Vec2& r) {
+  Mat26 T;
+  T << 1.0, 0.0, -r.y(), r.x(), 0.0, 0.5 * r.y(),  //
+      0.0, 1.0, r.x(), 0.0, r.y(), 0.5 * r.x();
+  return T;
+}
 /// Displacement gradient of the unknowns: [[ex, gxy/2 - r0], [gxy/2 + r0, ey]].
 [[nodiscard]] Mat2 step_gradient(const Vec6& D);
 /// Unknowns (without translation) of a velocity gradient G: r0 = (G21-G12)/2, ex, ey, gxy = G12 + G21.

@@ -232,18 +232,21 @@ void DdaPool::bound_groups(int body, const Row&, std::vector<std::int32_t>& grou
 }
 
 ChartRow DdaPool::chart_row(int body, const Row& row, std::span<const double> q) const {
-  const AffineState s = load(first_node(body), q, q);
-  std::array<double, 3> w{};  // by node of the body, whatever the order in the row
-  for (std::size_t k = 0; k < 3; ++k) w[static_cast<std::size_t>(row.node[k] - first_node(body))] += row.w[k];
+  const std::int32_t first = first_node(body);
+  std::array<double, 3> w = row.w;
+  if (row.node != std::array{first, first + 1, first + 2}) {  // the nodes are in another order
+    w = {};
+    for (std::size_t k = 0; k < 3; ++k) w[static_cast<std::size_t>(row.node[k] - first)] += row.w[k];
+  }
   if (of(body).affine) return of(body).affine->chart_row(w[0], {w[1], w[2]});
-  const Mat26 T = shi_matrix(s.F * Vec2(w[1], w[2]));
+  const Mat26 T = shi_matrix(load(first, q, q).F * Vec2(w[1], w[2]));
   ChartRow out;
   out.n = kUnknowns;
   for (int k = 0; k < kUnknowns; ++k) {
-    const auto i = static_cast<std::size_t>(k);
-    out.dof[i] = k;
-    out.tx[i] = k < 2 ? w[0] * T(0, k) : T(0, k);
-    out.ty[i] = k < 2 ? w[0] * T(1, k) : T(1, k);
+    const auto at = static_cast<std::size_t>(k);
+    out.dof[at] = k;
+    out.tx[at] = k < 2 ? w[0] * T(0, k) : T(0, k);
+    out.ty[at] = k < 2 ? w[0] * T(1, k) : T(1, k);
   }
   return out;
 }

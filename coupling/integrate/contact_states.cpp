@@ -323,11 +323,20 @@ bool ContactStates::change_among(std::span<const std::size_t> points, bool only_
   return true;
 }
 
-int ContactStates::close() {
-  find_largest_force();
+int ContactStates::close(std::span<const double> d) {
+  const auto may = [this](std::size_t i) {
+    return trial_[i].status == ContactStatus::open && !list_->points[i].suppressed;
+  };
+  const auto evaluate_open = [&](std::int64_t at) {
+    const auto i = static_cast<std::size_t>(at);
+    if (may(i)) evaluate_point(i, d);
+  };
+  parallel_for(std::ssize(trial_), evaluate_open, kFewPoints);
+  largest_force_ = 0.0;  // as the step begins
+  for (const ContactMemory& m : list_->memory) largest_force_ = std::max(largest_force_, std::abs(m.fn));
   proposed_.clear();
   for (std::size_t i = 0; i < trial_.size(); ++i)
-    if (!list_->points[i].suppressed && trial_[i].status == ContactStatus::open) propose(i);
+    if (may(i)) propose(i);
   for (const auto& [i, w] : proposed_) adopt(i, w);
   return static_cast<int>(proposed_.size());
 }

@@ -83,8 +83,9 @@ class ContactStates {
   [[nodiscard]] int change(bool only_worst);
   /// change() for some points.   @param only_worst  one of all of them   @return false: none violates its state
   [[nodiscard]] bool change_among(std::span<const std::size_t> points, bool only_worst);
-  /// Closes the open points that the last evaluation violates: the first guess of a step.   @return their number
-  [[nodiscard]] int close();
+  /// Closes the open points whose state d violates: the first guess of a step. Others are not evaluated.
+  /// @return number of points
+  [[nodiscard]] int close(std::span<const double> d);
   /// Points of the last change().
   [[nodiscard]] const std::vector<std::size_t>& changed() const { return changed_; }
 

@@ -195,8 +195,7 @@ bool OpenClose::solve(std::span<const double> A, bool fresh, std::span<const dou
   int left = control_.max_passes, fewest = std::numeric_limits<int>::max();
   exact_ = false;
   if (predict_) {
-    states_.evaluate(d);
-    const int closed = states_.close();
+    const int closed = states_.close(d);
     report.switches += closed;
     exact_ = closed == 0;  // probably no state will change: a rough solution first would cost a pass over all points
   }

@@ -42,10 +42,11 @@ struct Resting {
     states->begin(list, rows, 0, hand->state.q, dashpot);
     evaluate(dg, ds);
   }
-  void evaluate(double dg, double ds) {
+  void evaluate(double dg, double ds) { states->evaluate(changes(dg, ds)); }
+  [[nodiscard]] std::vector<double> changes(double dg, double ds) const {
     std::vector<double> d;
     for (std::size_t i = 0; i < list.points.size(); ++i) d.insert(d.end(), {dg, ds});
-    states->evaluate(d);
+    return d;
   }
   /// The points that touch.
   [[nodiscard]] std::vector<std::size_t> touching() const {
@@ -89,8 +90,11 @@ TEST(ContactStates, points_open_and_close) {
   EXPECT_EQ(r.states->closing(), nullptr);
   r.evaluate(-1e-5, 0.0);
   EXPECT_NE(r.states->closing(), nullptr);
-  EXPECT_EQ(r.states->close(), static_cast<int>(r.touching().size()));
+  EXPECT_EQ(r.states->close(r.changes(1e-6, 0.0)), 0);
+  EXPECT_EQ(r.states->close(r.changes(-2e-5, 0.0)), static_cast<int>(r.touching().size()));
   EXPECT_EQ((*r.states)[i].status, ContactStatus::stick);
+  EXPECT_EQ(r.states->close(r.changes(-3e-5, 0.0)), 0);  // closed ones stay as they were evaluated
+  EXPECT_NEAR((*r.states)[i].gap, -2e-5, 1e-12);
 }
 
 /// A normal force below the tolerance must not hide a tangential force above it: the dashpot of a point that hardly
