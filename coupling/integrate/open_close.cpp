@@ -197,7 +197,9 @@ bool OpenClose::solve(std::span<const double> A, bool fresh, std::span<const dou
   if (predict_) {
     const int closed = states_.close(d);
     report.switches += closed;
-    exact_ = closed == 0;  // probably no state will change: a rough solution first would cost a pass over all points
+    // Probably no state will change: a rough solution first would cost passes over all points, which take longer than
+    // the iterations by blocks that are wasted otherwise.
+    exact_ = blocks_.acts && closed == 0;
   }
   predict_ = false;
   for (int pass = 0; left > 0; ++pass, --left) {
