@@ -6,6 +6,7 @@
 #include <cmath>
 #include <ctime>
 #include <limits>
+#include <utility>
 
 #include "coupling/contact/law/joint_strength.h"
 #include "coupling/sink.h"
@@ -180,6 +181,14 @@ bool OpenClose::update(StepReport& report) {
   return true;
 }
 
+void OpenClose::predict(std::span<const double> d, StepReport& report) {
+  const int closed = states_.close(d);
+  report.switches += closed;
+  // Probably no state will change. A rough solution first would take two more passes over all points; where a state
+  // changes all the same, a few iterations were in vain, which by blocks take less time than that.
+  exact_ = blocks_.acts && closed == 0;
+}
+
 bool OpenClose::solve(std::span<const double> A, bool fresh, std::span<const double> rhs, std::span<double> d,
                       StepReport& report) {
   base_.assign(rhs.begin(), rhs.end());
@@ -194,14 +203,7 @@ bool OpenClose::solve(std::span<const double> A, bool fresh, std::span<const dou
   // take more passes than few: only passes that do not halve the number of switches count.
   int left = control_.max_passes, fewest = std::numeric_limits<int>::max();
   exact_ = false;
-  if (predict_) {
-    const int closed = states_.close(d);
-    report.switches += closed;
-    // Probably no state will change: a rough solution first would cost passes over all points, which take longer than
-    // the iterations by blocks that are wasted otherwise.
-    exact_ = blocks_.acts && closed == 0;
-  }
-  predict_ = false;
+  if (std::exchange(predict_, false)) predict(d, report);
   for (int pass = 0; left > 0; ++pass, --left) {
     if (control_of_run_ != nullptr && control_of_run_->give_up_step()) {
       report.status = StepReport::Status::given_up;

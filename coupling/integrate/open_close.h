@@ -93,6 +93,8 @@ class OpenClose {
   /// Finds the charts of the points' nodes, and the sizes of their rows.
   [[nodiscard]] bool find_affine_charts(std::span<const double> q);
   void fill_affine_rows(std::size_t point, std::span<const Vec2> driven_move);
+  /// Closes the points that the first guess d of a step closes, and decides whether to solve exactly at once.
+  void predict(std::span<const double> d, StepReport& report);
   /// Finds stiffnesses and right-hand side for the states of the points.
   void apply_states();
   /// Adapts the factor to these states, or leaves a kept one as it is.

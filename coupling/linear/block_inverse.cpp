@@ -80,7 +80,7 @@ template <int Step>
 
 /// Inverts without exchanges.   @return false: a pivot is small, or a number not finite, and the block is unchanged
 bool invert_in_order(FloatBlock& block, const double* unit) {
-  constexpr double kSmall = 1e-3;  // of the largest number; a round-off is a thousand times larger then, at most
+  constexpr double kSmall = 1e-3;  // of the largest number; where a pivot is smaller, rows are exchanged
   WideRow scale = {}, m[kBlockSide], largest = {};
   for (int i = 0; i < kBlockSide; ++i) scale[i] = 1.0 / unit[i];
     // The transpose, whose rows are the columns: its inverse is the transpose of the inverse.

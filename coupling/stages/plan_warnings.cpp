@@ -20,7 +20,8 @@ namespace {
 
 constexpr std::size_t kMostNames = 5;
 constexpr double kSlender = 0.5;  // base over height below which a shaken block is expected to rock
-constexpr double kTopples = 1.1;  // the same of a block that its weight overturns, over the slope of its base
+// A block whose base over height is below this times the slope of its base topples by its weight, or nearly does.
+constexpr double kTopples = 1.1;
 constexpr double kDegrees = 180.0 / std::numbers::pi;
 
 /// Groups of blocks that are connected by touching.
@@ -325,7 +326,7 @@ std::vector<std::string> rocking_warnings(const Model& model, const Plan& plan, 
       }
       return high - low;
     };
-    // Before it slides: shaken, or since its weight acts beyond its base or near the end of it.
+    // It rocks before it slides: because it is shaken, or because its weight acts beyond its base or near its end.
     const double rough = std::tan(base.friction), leans = std::abs(cross(up, base.push)) / up.dot(base.push);
     return (shaken && base.length < std::min(kSlender, rough) * height(up)) ||
            base.length < std::min(kTopples * leans, rough) * height(base.push);
