@@ -6,6 +6,16 @@
 #include "coupling/integrate/sliding_damping.h"
 
 namespace scree::coupling {
+namespace {
+
+/// True if the rigid motions R of a body are its first three unknowns and no others, as in Shi's form: C, the
+/// complement of their mass, has rows of the others only.
+bool leave_rigid_unknowns(const Eigen::Ref<const Eigen::MatrixX3d>& R) {
+  constexpr double kRoundOff = 1e-12;
+  return R.bottomRows(R.rows() - 3).cwiseAbs().maxCoeff() <= kRoundOff * R.cwiseAbs().maxCoeff();
+}
+
+}  // namespace
 
 DeformationDamping::DeformationDamping(const Setup& setup, const ImplicitSystem& system)
     : setup_(&setup), system_(&system) {
@@ -65,6 +75,15 @@ void DeformationDamping::find(std::span<const double> q, std::span<const double>
     const Eigen::Map<const Eigen::MatrixX3d> Z(&momenta_[b.momenta], static_cast<Eigen::Index>(b.count), 3);
     const Eigen::Matrix3d G = R.transpose() * Z;
     b.inverse = G.inverse();
+    if (b.full && leave_rigid_unknowns(R)) {
+      // Kept, the rows of the rigid motions would be round-off of a M: a force, where a is large.
+      for (std::size_t j = 0; j < 3; ++j)
+        std::copy_n(momenta_.begin() + static_cast<std::ptrdiff_t>(b.momenta + j * b.count + 3), b.count - 3,
+                    momenta_.begin() + static_cast<std::ptrdiff_t>(b.momenta + j * (b.count - 3)));
+      b.first += 3;
+      b.count -= 3;
+      momenta_.resize(b.momenta + 3 * b.count);
+    }
     bodies_.push_back(b);
   }
   for (const Damped& b : bodies_)

@@ -36,13 +36,13 @@ class DeformationDamping {
 
  private:
   struct Damped {
-    std::size_t first = 0, count = 0;                   // unknowns
+    std::size_t first = 0, count = 0;                   // unknowns in which C has rows
     double rate = 0.0;                                  // [1/s]
     bool full = false;                                  // its pattern is full
     std::size_t momenta = 0;                            // into momenta_: M R, three columns
     Eigen::Matrix3d inverse = Eigen::Matrix3d::Zero();  // (R^T M R)^-1
   };
-  /// y += factor M x on the unknowns of a body.
+  /// y += factor M x on the rows of C of a body.
   void multiply(const Damped& b, double factor, std::span<const double> x, std::span<double> y) const;
 
   const Setup* setup_;

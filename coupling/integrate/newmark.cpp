@@ -302,8 +302,7 @@ void Newmark::find_step_springs(const State& state, double h) {
 }
 
 void Newmark::linear_system(double h) {
-  const double of_mass = (trapezoidal() ? 4.0 : 2.0) / (h * h);
-  for (std::size_t k = 0; k < A_.size(); ++k) A_[k] = of_mass * system_.mass()[k] + K_[k];
+  for (std::size_t k = 0; k < A_.size(); ++k) A_[k] = mass_factor(h) * system_.mass()[k] + K_[k];
   if (!C_.empty())
     for (std::size_t k = 0; k < A_.size(); ++k) A_[k] += 2.0 / h * C_[k];
   if (options_.damping > 0.0)
@@ -319,7 +318,7 @@ double Newmark::residual(const State& state, double h, double& largest) {
   for (std::size_t i = 0; i < d_.size(); ++i) rate_[i] = 2.0 / h * d_[i] - system_.rate()[i];
   damping_forces(state, rate_, damped_after_);
   out_ = inertia_;
-  system_.pattern().multiply_add(-(trapezoidal() ? 4.0 : 2.0) / (h * h), system_.mass(), d_, out_);
+  system_.pattern().multiply_add(-mass_factor(h), system_.mass(), d_, out_);
   largest = std::max({largest_of(gravity_), largest_of(load_), largest_of(force_after_), largest_of(damped_after_.mass),
                       largest_of(damped_after_.stiffness), largest_of(out_)});
   for (std::size_t i = 0; i < out_.size(); ++i)

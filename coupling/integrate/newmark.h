@@ -140,6 +140,9 @@ class Newmark final : public TimeIntegrator {
   [[nodiscard]] Settled settle(const State& state, NewtonLoop& loop, StepReport& report);
   void prepare_iterate(const State& state, double h, NewtonLoop& loop);
   [[nodiscard]] bool balance(const State& state, double h, StepReport& report);
+  /// Factor of M d in the balance [1/s2]: half (trapezoidal: all) of the square of 2/h, the factor of d in the new
+  /// velocity. To the last place, since the ledger adds the difference up over the steps.
+  [[nodiscard]] double mass_factor(double h) const { return (trapezoidal() ? 1.0 : 0.5) * (2.0 / h) * (2.0 / h); }
   void linear_system(double h);
   /// Right-hand side of Newton's system at the present iterate.
   /// @param moved  d_ of nonlinear unknowns   @param affine  damping forces

@@ -80,12 +80,14 @@ int OpenClose::iterate(double enough, int most, std::span<double> d) {
 }
 
 int OpenClose::improve(int most, std::span<double> d, StepReport& report) {
-  constexpr double kExact = 1e-13;  // of the largest force: about the residual with a complete factor
-  constexpr double kRough = 1e-7;   // while states still switch
+  // Of the largest force. The work of what is left adds up over the steps of a slide; with a complete factor less of it
+  // costs a few iterations in a hundred more.
+  constexpr double kByBlocks = 1e-13, kByFactor = 3e-14;
+  constexpr double kRough = 1e-7;  // while states still switch
   constexpr int kAtOnce = ConjugateResiduals::kDepth;
   // Friction causes most of the iterations; without it, and with the factor of the matrix, one or two are enough.
   rough_ = !exact_ && (keep_ || blocks_.acts || unsymmetric());
-  const double part_of = rough_ ? kRough : kExact;
+  const double part_of = rough_ ? kRough : blocks_.acts ? kByBlocks : kByFactor;
   double enough = part_of * force_scale(d);
   int taken = 0;
   for (bool looked = false;;) {

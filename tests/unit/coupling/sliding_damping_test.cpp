@@ -137,6 +137,10 @@ TEST_P(Damper, matrix_is_the_mass_less_its_rigid_part) {
     R = least_squares(rows, fields);
     const Eigen::MatrixXd Z = M * R, expected = M - Z * inverse_of(R.transpose() * Z) * Z.transpose();
     EXPECT_LT((A - factor * rate * expected).cwiseAbs().maxCoeff(), 1e-9 * size);
+    // A rate of a stiff block is 100 times 1/h: round-off in the rows of its rigid motions would be work on a slide.
+    EXPECT_EQ(A.topRows(3).cwiseAbs().maxCoeff(), 0.0);
+    EXPECT_EQ((forces * R).topRows(3).cwiseAbs().maxCoeff(), 0.0);
+    EXPECT_LT((forces * R).cwiseAbs().maxCoeff(), 1e-14 * size);
   }
 }
 INSTANTIATE_TEST_SUITE_P(all, Damper, testing::Values("dda", "nmm"));
