@@ -15,6 +15,7 @@ namespace scree::coupling {
 namespace {
 
 constexpr double kBalanced = 1e-11;  // of the largest force
+constexpr double kWorkLeft = 2e-15;  // of the energy moved: work of a residual that the ledger may leave over in a step
 constexpr int kIterations = 50;
 constexpr int kMoreIterations = 4;  // that a step may take with a kept tangent beyond the fewest
 
@@ -473,8 +474,14 @@ Newmark::Settled Newmark::settle(const State& state, NewtonLoop& loop, StepRepor
     if (met && !evaluate_interface_force(state, report)) return Settled::failed;
   }
   loop.at_round_off = loop.left <= rounded.system;
-  const bool balanced = !loop.iterative || loop.left <= kBalanced * loop.largest,
-             stays = loop.at_round_off && report.iterations > 2 && loop.left > 0.5 * loop.last,
+  bool balanced = !loop.iterative || loop.left <= kBalanced * loop.largest;
+  if (balanced && loop.iterative && !interface_.acts() && !loop.refined &&
+      std::abs(dot(out_, d_)) > kWorkLeft * state.ledger.moved()) {
+    contacts_.solve_closely();
+    loop.refined = true;
+    balanced = false;
+  }
+  const bool stays = loop.at_round_off && report.iterations > 2 && loop.left > 0.5 * loop.last,
              kicked = interface_.acts() &&
                       loop.left <= rounded.bodies;  // InterfaceIteration::kick() applies the impulse of the residual
   loop.apart = 0.0;

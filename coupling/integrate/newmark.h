@@ -128,6 +128,7 @@ class Newmark final : public TimeIntegrator {
     bool iterative = false;             // one solution is not enough
     bool fresh = true;                  // the linear system is new
     bool at_round_off = false;          // the residual is round-off of the system's forces
+    bool refined = false;               // the work of a residual caused one more iteration
     double left = 0.0, largest = 0.0;   // residual and largest force of the iterate [N]
     double last = std::numeric_limits<double>::infinity();  // residual of the previous iterate [N]
     double apart = 0.0;                                     // InterfaceIteration::residual() [N]

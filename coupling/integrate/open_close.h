@@ -54,6 +54,9 @@ class OpenClose {
              const StepSprings& springs, double dashpot = 0.0, std::span<const LowRank> damping = {});
   /// After begin(): matrix and springs' rows are those of the last factor, and there are no contact points.
   void keep_matrix() { current_ = same_matrix_ = cholesky_.factored(); }
+  /// The next solutions of the step are to leave no more than round-off. Newton's method asks for it where the work of
+  /// its residual matters: a right-hand side includes stiffness times displacement, far more than the largest force.
+  void solve_closely() { closely_ = true; }
   /// Takes over the springs' rows again, on the same unknowns: their coefficients have changed.
   void change_springs() {
     for (std::size_t i = 0; i < springs_->size(); ++i) rows_.take_row(i, springs_->rows[i]);
@@ -184,6 +187,7 @@ class OpenClose {
   bool updated_ = false;
   bool exact_ = false;            // the pass is to solve to round-off: not before states seem to have settled
   bool rough_ = false;            // the present solution is less accurate
+  bool closely_ = false;          // solve_closely() was called in the step
   bool friction_settled_ = true;  // in the last pass
   bool keep_ = false;             // this step may use the kept factor
   int corrections_left_ = 0;      // iterations that this step may still take with that factor

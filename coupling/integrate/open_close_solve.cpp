@@ -82,12 +82,12 @@ int OpenClose::iterate(double enough, int most, std::span<double> d) {
 int OpenClose::improve(int most, std::span<double> d, StepReport& report) {
   // Of the largest force. The work of what is left adds up over the steps of a slide; with a complete factor less of it
   // costs a few iterations in a hundred more.
-  constexpr double kByBlocks = 1e-13, kByFactor = 3e-14;
+  constexpr double kByBlocks = 1e-13, kByFactor = 3e-14, kClosely = 5e-15;
   constexpr double kRough = 1e-7;  // while states still switch
   constexpr int kAtOnce = ConjugateResiduals::kDepth;
   // Friction causes most of the iterations; without it, and with the factor of the matrix, one or two are enough.
   rough_ = !exact_ && (keep_ || blocks_.acts || unsymmetric());
-  const double part_of = rough_ ? kRough : blocks_.acts ? kByBlocks : kByFactor;
+  const double exact = closely_ ? kClosely : blocks_.acts ? kByBlocks : kByFactor, part_of = rough_ ? kRough : exact;
   double enough = part_of * force_scale(d);
   int taken = 0;
   for (bool looked = false;;) {
