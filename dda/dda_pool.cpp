@@ -234,7 +234,7 @@ void DdaPool::bound_groups(int body, const Row&, std::vector<std::int32_t>& grou
 ChartRow DdaPool::chart_row(int body, const Row& row, std::span<const double> q) const {
   const std::int32_t first = first_node(body);
   std::array<double, 3> w = row.w;
-  if (row.node != std::array{first, first + 1, first + 2}) {  // the nodes are in another order
+  if (row.node[0] != first || row.node[1] != first + 1 || row.node[2] != first + 2) {  // the nodes are in another order
     w = {};
     for (std::size_t k = 0; k < 3; ++k) w[static_cast<std::size_t>(row.node[k] - first)] += row.w[k];
   }

@@ -14,9 +14,9 @@ namespace scree {
 /// each following three others that have two unknowns each.
 struct ChartRow {
   static constexpr int kMax = 18;
-  int n = 0;
-  std::array<std::int32_t, kMax> dof{};  // each once
-  std::array<double, kMax> tx{}, ty{};
+  int n = 0;                           // unknowns; what is beyond them in the arrays has no meaning and is not set
+  std::array<std::int32_t, kMax> dof;  // each once
+  std::array<double, kMax> tx, ty;
 };
 
 /// Unknowns of the element matrices whose sum is the body's system, counted from the body's first. Values are stored as

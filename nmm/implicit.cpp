@@ -55,6 +55,7 @@ ChartRow ImplicitBody::chart_row(const Row& row) const {
     out.dof[i] = 2 * free;
     out.dof[i + 1] = 2 * free + 1;
     out.tx[i] = out.ty[i + 1] = w;
+    out.tx[i + 1] = out.ty[i] = 0.0;
     out.n += 2;
   };
   for (std::size_t k = 0; k < 3; ++k) {

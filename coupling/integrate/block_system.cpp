@@ -51,9 +51,12 @@ bool BlockSystem::begin(const DofRows& rows, std::size_t springs) {
 
 void BlockSystem::find_incidences() {
   const std::int32_t n = system_->dofs() / kBlockSide;
+  const auto same = [](const BlockMatrix::Pair& p, const BlockMatrix::Pair& q) {
+    return p[0] == q[0] && p[1] == q[1];  // operator== calls memcmp
+  };
   pairs_.clear();
   for (const BlockMatrix::Pair& p : bodies_)
-    if (p[1] >= 0 && (pairs_.empty() || p != pairs_.back())) pairs_.push_back(p);
+    if (p[1] >= 0 && (pairs_.empty() || !same(p, pairs_.back()))) pairs_.push_back(p);
   // Which of two vertices that nearly coincide is a contact point changes from step to step: most lists that differ in
   // their points have the same pairs of bodies.
   if (!matrix_.has_pattern(n, pairs_)) matrix_.set_pattern(n, pairs_);
@@ -64,14 +67,19 @@ void BlockSystem::find_incidences() {
   for (std::size_t b = 0; b < static_cast<std::size_t>(n); ++b) first_[b + 1] += first_[b];
   incidence_.resize(static_cast<std::size_t>(first_.back()));
   std::vector<std::int32_t> next(first_.begin(), first_.end() - 1);
+  std::int32_t of_a = -1, of_b = -1;  // places of a pair, which several points in succession may have
   for (std::size_t u = 0; u < bodies_.size(); ++u) {
     const auto [a, b] = bodies_[u];
+    if (b >= 0 && (u == 0 || !same(bodies_[u], bodies_[u - 1]))) {
+      of_a = matrix_.find(a, b);
+      of_b = matrix_.find(b, a);
+    }
     const auto unit = static_cast<std::int32_t>(u);
     const auto put = [&](std::int32_t body, const Incidence& i) {
       incidence_[static_cast<std::size_t>(next[static_cast<std::size_t>(body)]++)] = i;
     };
-    if (a >= 0) put(a, {unit, 0, b >= 0 ? kBlockSide : -1, b >= 0 ? matrix_.find(a, b) : -1});
-    if (b >= 0) put(b, {unit, kBlockSide, 0, matrix_.find(b, a)});
+    if (a >= 0) put(a, {unit, 0, b >= 0 ? kBlockSide : -1, b >= 0 ? of_a : -1});
+    if (b >= 0) put(b, {unit, kBlockSide, 0, of_b});
   }
 }
 

@@ -453,6 +453,14 @@ bool Newmark::solve_iterate(const State& state, double h, NewtonLoop& loop, Step
   ++report.iterations;
   loop.fresh = false;
   for (std::size_t i = 0; i < d_.size(); ++i) rate_[i] = 2.0 / h * d_[i] - system_.rate()[i];
+  if (!loop.iterative && contacts_.find_left(out_)) {  // one solution is enough: reach() moves the bodies
+    damping_forces(state, rate_, damped_after_);
+    loop.left = largest_of(out_);
+    if (std::isfinite(loop.left)) return true;
+    move_to_iterate(state);
+    report = not_finite(report, state, h);
+    return false;
+  }
   move_to_iterate(state);
   force_after_ = force_before_;
   energy_after_ = system_.linearise(q_new_, loop.kind, false, {}, force_after_);

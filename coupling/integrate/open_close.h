@@ -66,6 +66,8 @@ class OpenClose {
   /// @return false: the report contains the reason
   [[nodiscard]] bool solve(std::span<const double> A, bool fresh, std::span<const double> rhs, std::span<double> d,
                            StepReport& report);
+  /// After solve(): the forces that it left out of balance, if it knows them.   @return false: left is unchanged
+  [[nodiscard]] bool find_left(std::span<double> left) const;
   /// Checks unknowns found against states, laws and balance; before accept().
   /// @param unbalanced  force that round-off leaves on a body: contact forces are not more accurate [N]
   void check(std::span<const double> d, double unbalanced, Audit& audit) const;

@@ -78,6 +78,13 @@ bool OpenClose::solve_blocks(std::span<double> d, StepReport& report) {
   return true;
 }
 
+bool OpenClose::find_left(std::span<double> left) const {
+  if (!blocks_.acts) return false;
+  const auto in_units = residuals_.residual(), unit = system_->unit();
+  for (std::size_t i = 0; i < left.size(); ++i) left[i] = in_units[i] * unit[i];
+  return true;
+}
+
 void OpenClose::leave_blocks(StepReport& report) {
   blocks_.acts = false;
   blocks_.fell_back = true;

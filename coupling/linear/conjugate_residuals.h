@@ -77,6 +77,9 @@ class ConjugateResiduals {
     }
   }
 
+  /// (b - A x)/unit of the last solve that converged, taken with the exact product.
+  [[nodiscard]] std::span<const double> residual() const { return r_; }
+
  private:
   struct Correction {
     std::vector<double> z, q;           // q in units

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <random>
 
 #include "model/dense_algebra.h"
@@ -105,6 +106,26 @@ TEST(ConjugateResiduals, says_where_it_is_not_there_in_time) {
   const Eigen::VectorXd b = Eigen::VectorXd::Random(30);
   EXPECT_EQ(solved(a, Eigen::MatrixXd::Identity(30, 30), b, 5).iterations, -1);
   EXPECT_EQ(solved(a, Eigen::MatrixXd::Zero(30, 30), b, 100).iterations, -1);  // a preconditioner that is zero
+}
+
+TEST(ConjugateResiduals, residual_is_that_of_the_last_solution) {
+  std::mt19937_64 random(5);
+  constexpr std::size_t kSize = 30;
+  const Eigen::MatrixXd a = drawn(kSize, 0.1, random);
+  const Eigen::VectorXd b = Eigen::VectorXd::Random(kSize);
+  std::vector<double> x(kSize, 0.0), unit(kSize);
+  for (std::size_t i = 0; i < kSize; ++i) unit[i] = 1.0 + static_cast<double>(i);
+  ConjugateResiduals residuals;
+  const auto product = [&](std::span<const double> u, std::span<double> y) {
+    Eigen::Map<Eigen::VectorXd>(y.data(), kSize) = a * Eigen::Map<const Eigen::VectorXd>(u.data(), kSize);
+  };
+  const auto inverse = [](std::span<const double> r, std::span<double> z) { std::copy(r.begin(), r.end(), z.begin()); };
+  constexpr double kEnough = 1e-4;
+  ASSERT_GT(residuals.solve(product, inverse, std::span<const double>(b.data(), kSize), unit, kEnough, 200, x), 0);
+  const Eigen::VectorXd left = b - a * Eigen::Map<const Eigen::VectorXd>(x.data(), kSize);
+  for (std::size_t i = 0; i < kSize; ++i)
+    EXPECT_NEAR(residuals.residual()[i], left(static_cast<Eigen::Index>(i)) / unit[i], 1e-12);
+  EXPECT_GT(left.cwiseAbs().maxCoeff(), 1e-9);
 }
 
 }  // namespace
