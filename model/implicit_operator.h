@@ -12,9 +12,10 @@ namespace scree {
 
 /// A row expressed in the unknowns d of an implicit step, counted from the body's first: dx = T d. At most three nodes,
 /// each following three others that have two unknowns each.
+// NOLINTNEXTLINE(cppcoreguidelines-pro-type-member-init): what is beyond n has no meaning, and takes long to set
 struct ChartRow {
   static constexpr int kMax = 18;
-  int n = 0;                           // unknowns; what is beyond them in the arrays has no meaning and is not set
+  int n = 0;                           // unknowns
   std::array<std::int32_t, kMax> dof;  // each once
   std::array<double, kMax> tx, ty;
 };
