@@ -84,14 +84,15 @@ int OpenClose::improve(int most, std::span<double> d, StepReport& report) {
   // costs a few iterations in a hundred more.
   constexpr double kByBlocks = 1e-13, kByFactor = 3e-14, kClosely = 5e-15;
   constexpr double kRough = 1e-7;  // while states still switch
-  constexpr int kAtOnce = ConjugateResiduals::kDepth;
+  // A complete factor mostly takes fewer than eight: then round-off is probably above what is asked for.
+  constexpr int kAtOnce = ConjugateResiduals::kDepth, kByFactorAtOnce = 8;
   // Friction causes most of the iterations; without it, and with the factor of the matrix, one or two are enough.
   rough_ = !exact_ && (keep_ || blocks_.acts || unsymmetric());
   const double exact = closely_ ? kClosely : blocks_.acts ? kByBlocks : kByFactor, part_of = rough_ ? kRough : exact;
   double enough = part_of * force_scale(d);
   int taken = 0;
   for (bool looked = false;;) {
-    const int part = std::min(most - taken, kAtOnce);
+    const int part = std::min(most - taken, blocks_.acts || looked ? kAtOnce : kByFactorAtOnce);
     const int more = iterate(enough, part, d);
     taken += more >= 0 ? more : part;
     if (more >= 0 || (looked && taken >= most)) {
