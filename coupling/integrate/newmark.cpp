@@ -15,7 +15,7 @@ namespace scree::coupling {
 namespace {
 
 constexpr double kBalanced = 1e-11;  // of the largest force
-constexpr double kWorkLeft = 2e-15;  // of the energy moved: work of a residual that the ledger may leave over in a step
+constexpr double kWorkLeft = 4e-16;  // of the energy moved: work of a residual that the ledger may leave over in a step
 constexpr int kIterations = 50;
 constexpr int kMoreIterations = 4;  // that a step may take with a kept tangent beyond the fewest
 
