@@ -345,7 +345,7 @@ void DdaPool::stress(std::span<const double> q, std::span<double> cells) const {
   }
 }
 
-void DdaPool::recovered_stress(std::span<const double> q, std::span<double> nodes) const {
+void DdaPool::recovered_stress(std::span<const double> q, std::span<const char>, std::span<double> nodes) const {
   // Rows have the weight 1 on the first node of a block, its centre: every point gets the stress of the block.
   std::fill(nodes.begin(), nodes.end(), 0.0);
   for (int b = 0; b < bodies(); ++b) {

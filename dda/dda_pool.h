@@ -57,7 +57,8 @@ class DdaPool final : public Pool {
 
   void topology(MeshPart& mesh) const override;
   void stress(std::span<const double> q, std::span<double> cells) const override;
-  void recovered_stress(std::span<const double> q, std::span<double> nodes) const override;
+  void recovered_stress(std::span<const double> q, std::span<const char> wanted,
+                        std::span<double> nodes) const override;
 
  private:
   struct Stressed {

@@ -31,7 +31,8 @@ class BodyOutput {
   virtual void stress(std::span<const double> q, std::span<double> cells) const = 0;
   /// Recovered Cauchy stress: three numbers (xx, yy, xy) per node, so that sum_k w_k s[node_k] of a row is the stress
   /// at that point, smoothed over the cells around it [Pa].
-  virtual void recovered_stress(std::span<const double> q, std::span<double> nodes) const;
+  /// @param wanted  per node: not 0 where it is required; the numbers of other nodes have no meaning
+  virtual void recovered_stress(std::span<const double> q, std::span<const char> wanted, std::span<double> nodes) const;
 };
 
 }  // namespace scree

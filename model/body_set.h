@@ -26,6 +26,9 @@ class BodySet {
   [[nodiscard]] virtual std::string_view method() const = 0;
   /// Appends a body made from the record; its nodes follow those of the bodies before it.
   virtual void add(const Model& model, const BodyRecord& record) = 0;
+  /// The same for a body that an earlier set has as its body `body`, perhaps in another shape or form: what is the same
+  /// for both may be copied from it.
+  virtual void add_again(const Model& model, const BodyRecord& record, const BodySet& earlier, int body);
   /// Called once after the last body was added.
   virtual void finish() {}
   [[nodiscard]] virtual int bodies() const = 0;

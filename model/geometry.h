@@ -26,6 +26,7 @@ struct Polygon {
   [[nodiscard]] std::size_t rings() const { return 1 + holes.size(); }
   [[nodiscard]] const Ring& ring(std::size_t i) const { return i == 0 ? outer : holes[i - 1]; }
   [[nodiscard]] Ring& ring(std::size_t i) { return i == 0 ? outer : holes[i - 1]; }
+  bool operator==(const Polygon&) const = default;
 };
 
 /// Integrals over a polygon.

@@ -14,6 +14,8 @@ double ExplicitOperator::damp(double, double, std::span<const double>, std::span
   return 0.0;
 }
 std::string ExplicitOperator::binding(int) const { return {}; }
+void BodySet::add_again(const Model& model, const BodyRecord& record, const BodySet&, int) { add(model, record); }
+
 std::span<const BodySet::InterfaceConstraint> BodySet::interface_constraints(int) const { return {}; }
 
 std::span<const std::int32_t> BodySet::undivided(int) const { return {}; }
@@ -36,7 +38,7 @@ bool BodyTransfer::holds_edges(int) const { return false; }
 Vec2 BodyTransfer::edge_reaction(int, std::size_t, double, std::span<const double>) const { return {0.0, 0.0}; }
 double BodyTransfer::edge_energy(int, std::span<const double>) const { return 0.0; }
 void BodyTransfer::shift_edges(int, std::span<const double>) {}
-void BodyOutput::recovered_stress(std::span<const double>, std::span<double> nodes) const {
+void BodyOutput::recovered_stress(std::span<const double>, std::span<const char>, std::span<double> nodes) const {
   std::fill(nodes.begin(), nodes.end(), 0.0);
 }
 int ImplicitOperator::dofs(int) const { return 0; }

@@ -99,7 +99,26 @@ void NmmPool::divide(Body& body) {
   body.lumped = std::make_unique<CoverMesh>(body.form.mass == MassKind::consistent ? half_of(mesh, true) : mesh);
 }
 
-void NmmPool::add(const Model& model, const BodyRecord& record) {
+std::optional<CoverMesh> NmmPool::mesh_for(const BodyRecord& record, int body) const {
+  const Body& b = of(body);
+  if (b.form.onefold || !b.form.same_mesh(record.form) || b.form.mass != record.form.mass ||
+      b.shape.mass != record.shape.mass || b.shape.area != record.shape.area ||
+      !(b.shape.outline == record.shape.outline && b.shape.origin == record.shape.origin))
+    return std::nullopt;
+  if (b.whole) return *b.whole;
+  CoverMesh mesh = b.mesh;
+  for (Row& row : mesh.boundary.nodes)
+    for (std::int32_t& n : row.node) n -= first_node(body);
+  for (Boundary::Segment& s : mesh.boundary.segments) s.cell -= b.first_element;
+  return mesh;
+}
+
+void NmmPool::add_again(const Model& model, const BodyRecord& record, const BodySet& earlier, int body) {
+  const auto* pool = dynamic_cast<const NmmPool*>(&earlier);
+  add_with(model, record, pool != nullptr ? pool->mesh_for(record, body) : std::nullopt);
+}
+
+void NmmPool::add_with(const Model& model, const BodyRecord& record, std::optional<CoverMesh> made) {
   auto body = std::make_unique<Body>();
   body->shape = record.shape;
   body->name = model.blocks[record.block.index()].name;
@@ -110,7 +129,7 @@ void NmmPool::add(const Model& model, const BodyRecord& record) {
   body->law = model.elasticity_of(record.block);
   body->form = form;
   if (!form.onefold)
-    body->mesh = make_mesh(model, record, to_origin);
+    body->mesh = made ? *std::move(made) : make_mesh(model, record, to_origin);
   else
     body->mesh = form.model_triangle ? make_onefold(record.shape.outline, model_triangle(model, to_origin))
                                      : make_onefold(record.shape.outline);

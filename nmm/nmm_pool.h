@@ -20,7 +20,8 @@ namespace scree::nmm {
 class NmmPool final : public Pool, public FieldCarrier {
  public:
   [[nodiscard]] std::string_view method() const override { return "nmm"; }
-  void add(const Model& model, const BodyRecord& record) override;
+  void add(const Model& model, const BodyRecord& record) override { add_with(model, record, std::nullopt); }
+  void add_again(const Model& model, const BodyRecord& record, const BodySet& earlier, int body) override;
   void finish() override;
   [[nodiscard]] int bodies() const override { return static_cast<int>(bodies_.size()); }
   [[nodiscard]] std::int32_t first_node(int body) const override { return first_[static_cast<std::size_t>(body)]; }
@@ -87,7 +88,8 @@ class NmmPool final : public Pool, public FieldCarrier {
   /// Least-squares planes through the stresses of each cover's elements, tied covers by their roots.
   /// @param nodes  xx, yy, xy per cover [Pa]
   /// @source [Zienkiewicz1992] (superconvergent patch recovery); deviation: areas as weights
-  void recovered_stress(std::span<const double> q, std::span<double> nodes) const override;
+  void recovered_stress(std::span<const double> q, std::span<const char> wanted,
+                        std::span<double> nodes) const override;
 
   /// The mesh of a body, for tests and reports; covers and elements counted from the body's first.
   [[nodiscard]] const CoverMesh& mesh(int body) const { return of(body).mesh; }
@@ -125,6 +127,10 @@ class NmmPool final : public Pool, public FieldCarrier {
   [[nodiscard]] static bool lumps(const Formulation& form);
   [[nodiscard]] static bool has_consistent(const Formulation& form);
   [[nodiscard]] static CoverMesh make_mesh(const Model& model, const BodyRecord& record, const AffineMotion& to_origin);
+  /// The mesh of an earlier body, of both halves if it is divided, if make_mesh() would make the same for the record.
+  [[nodiscard]] std::optional<CoverMesh> mesh_for(const BodyRecord& record, int body) const;
+  /// @param made  what make_mesh() returns for the record, if that is known
+  void add_with(const Model& model, const BodyRecord& record, std::optional<CoverMesh> made);
   /// Keeps only the elements of the active half.
   static void divide(Body& body);
   static void find_whole_inverse(Body& body);

@@ -96,16 +96,25 @@ void NmmPool::stress(std::span<const double> q, std::span<double> cells) const {
     }
 }
 
-void NmmPool::recovered_stress(std::span<const double> q, std::span<double> nodes) const {
+void NmmPool::recovered_stress(std::span<const double> q, std::span<const char> wanted, std::span<double> nodes) const {
   // Normal equations of the plane s = a + b.(X - X_star)/h of each cover, over its elements' centroids.
   struct Fit {
     Eigen::Matrix3d A = Eigen::Matrix3d::Zero(), rhs = Eigen::Matrix3d::Zero();
   };
   std::vector<Fit> fit;
+  std::vector<char> fits(wanted.begin(), wanted.end());  // per node; a tied one has the weighted sum of its roots
+  for (const Tie& t : chart_.ties())
+    if (wanted[static_cast<std::size_t>(t.cover)] != 0)
+      for (const std::int32_t root : t.root) fits[static_cast<std::size_t>(root)] = 1;
   for (int b = 0; b < bodies(); ++b) {
     const CoverMesh& mesh = of(b).mesh;
+    const std::span<const char> here =
+        std::span(fits).subspan(static_cast<std::size_t>(first_node(b)), mesh.star.size());
+    const auto is_fitted = [&](std::int32_t cover) { return here[static_cast<std::size_t>(cover)] != 0; };
+    if (std::all_of(here.begin(), here.end(), [](char is) { return is == 0; })) continue;
     fit.assign(mesh.star.size(), {});
     for (std::size_t e = 0; e < mesh.elements(); ++e) {
+      if (std::none_of(mesh.cover[e].begin(), mesh.cover[e].end(), is_fitted)) continue;
       const Mat2 s = cauchy_stress(elements_, static_cast<std::size_t>(of(b).first_element) + e, q);
       const Eigen::RowVector3d values(s(0, 0), s(1, 1), 0.5 * (s(0, 1) + s(1, 0)));
       const Vec2 centroid = mesh.centroid(e);
@@ -118,6 +127,7 @@ void NmmPool::recovered_stress(std::span<const double> q, std::span<double> node
       }
     }
     for (std::size_t c = 0; c < mesh.star.size(); ++c) {
+      if (here[c] == 0) continue;
       const Fit& f = fit[c];
       Eigen::RowVector3d value = f.rhs.row(0) / f.A(0, 0);  // the mean, if too few elements define no plane
       const Eigen::LDLT<Eigen::Matrix3d> solver(f.A);
@@ -128,7 +138,7 @@ void NmmPool::recovered_stress(std::span<const double> q, std::span<double> node
     }
   }
   for (const Tie& t : chart_.ties())
-    for (std::size_t d = 0; d < 3; ++d) {
+    for (std::size_t d = 0; d < 3 && wanted[static_cast<std::size_t>(t.cover)] != 0; ++d) {
       double sum = 0.0;
       for (std::size_t k = 0; k < 3; ++k) sum += t.w[k] * nodes[3 * static_cast<std::size_t>(t.root[k]) + d];
       nodes[3 * static_cast<std::size_t>(t.cover) + d] = sum;

@@ -66,7 +66,7 @@ Body describe(const Model& model, const BodyRecord& record, const Ghosts& ghosts
 }  // namespace
 
 Setup::Setup(const Model& model, const Methods& methods, const std::vector<BodyRecord>& records, const Ghosts& ghosts,
-             Clocks clocks)
+             Clocks clocks, const Setup* earlier)
     : model_(&model), ghosts_touch_(ghosts.touch), clocks_(std::move(clocks)), laws_(model.joints) {
   for (const JointWater& w : model.waters) waters_.push_back(w.in_stage(clocks_.stage));
   std::map<PoolKey, std::int32_t> pool_of_key;
@@ -87,7 +87,10 @@ Setup::Setup(const Model& model, const Methods& methods, const std::vector<BodyR
     b.pool = pool_of_key[key_of(model, records[i], ghosts, i)];
     Pool& pool = *pools_[static_cast<std::size_t>(b.pool)];
     b.index = pool.bodies();
-    pool.add(model, records[i]);
+    if (earlier != nullptr)
+      pool.add_again(model, records[i], earlier->pool_of(earlier->bodies()[i]), earlier->bodies()[i].index);
+    else
+      pool.add(model, records[i]);
     counted_[static_cast<std::size_t>(b.pool)].push_back(b.driven ? 0 : 1);
     bodies_.push_back(b);
   }

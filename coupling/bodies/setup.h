@@ -51,8 +51,9 @@ struct Ghosts {
 class Setup {
  public:
   /// Builds the pools from records (ordered by block). Throws what a pool throws on a body it cannot make.
+  /// @param earlier  another setup of the blocks: what bodies have in common with it need not be made again
   Setup(const Model& model, const Methods& methods, const std::vector<BodyRecord>& records, const Ghosts& ghosts = {},
-        Clocks clocks = {});
+        Clocks clocks = {}, const Setup* earlier = nullptr);
 
   [[nodiscard]] const Model& model() const { return *model_; }
   /// The joint laws with their present strengths.

@@ -9,7 +9,7 @@
 namespace scree::coupling {
 
 LostPlace lost_place(const Setup& setup, std::span<const double> q) {
-  for (std::size_t p = 0; p < setup.pools(); ++p) {
+  for (const std::size_t p : setup.own_pools()) {
     const Fault fault = setup.pool(p).find_fault(setup.part(q, p));
     if (fault.body < 0) continue;
     const auto& bodies = setup.bodies();

@@ -177,7 +177,7 @@ void Newmark::prepare(const State& state, double h) {
   }
   keep_ = keep_ && !damper_.acts();
   made_ = !keep_;
-  if (keep_ && !has_tangent_) take_tangent(state);
+  if (keep_ && !has_tangent_) take_tangent(state, h);
   if (keep_ && has_end_) {  // the last step ended with them
     force_before_ = force_after_;
     energy_before_ = energy_after_;
@@ -297,6 +297,11 @@ void Newmark::linear_system(double h) {
   if (options_.damping > 0.0)
     for (std::size_t k = 0; k < A_.size(); ++k) A_[k] += 2.0 / h * options_.damping * system_.mass()[k];
   damper_.add_matrix(A_);
+  largest_ = {};
+  for (const std::int32_t diagonal : std::span(system_.pattern().column_start).first(d_.size())) {
+    largest_.system = std::max(largest_.system, A_[static_cast<std::size_t>(diagonal)]);
+    largest_.bodies = std::max(largest_.bodies, K_[static_cast<std::size_t>(diagonal)]);
+  }
 }
 
 StepReport Newmark::lost(const StepReport& report, const LostPlace& place, const State& state, double h) {

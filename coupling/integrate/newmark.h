@@ -119,7 +119,7 @@ class Newmark final : public TimeIntegrator {
   /// Before accept(): what the next step takes from this one, which took so many iterations.
   void keep_for_next_step(Tick ticks_of_step, int iterations);
   /// Makes the kept tangent and its factor those of the system again.
-  void take_tangent(const State& state);
+  void take_tangent(const State& state, double h);
   void add_affine_damping(const State& state, std::span<const double> rate, std::span<double> out);
   /// Newton's iteration of one step.
   struct NewtonLoop {
@@ -228,8 +228,9 @@ class Newmark final : public TimeIntegrator {
   Damping damped_before_, damped_after_;
   // One value per entry of the pattern.
   std::vector<double> K_, C_, A_;
+  RoundOff largest_;                   // largest entry of the diagonals of A_ and K_ [N/m]
   IntegratorMemory::Tangent tangent_;  // of accepted steps
-  bool has_tangent_ = false;           // K_ and the factor are those of the tangent
+  bool has_tangent_ = false;           // K_, A_ and the factor are those of the tangent
   bool renew_ = false;                 // renew() was called
   bool renewed_ = false;               // for this step
   bool tangent_may_stay_ = false;      // at least while nothing but bodies, supports and the interface force acts

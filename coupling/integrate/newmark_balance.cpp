@@ -50,13 +50,7 @@ double Newmark::residual(const State& state, double h, double& largest) {
 
 Newmark::RoundOff Newmark::round_off(const State& state) const {
   // A force is a sum of stiffness times positions, each known to half a unit in the last place.
-  RoundOff out;
-  const SymmetricPattern& p = system_.pattern();
-  for (std::size_t c = 0; c < static_cast<std::size_t>(p.n); ++c) {
-    const auto diagonal = static_cast<std::size_t>(p.column_start[c]);
-    out.system = std::max(out.system, A_[diagonal]);
-    out.bodies = std::max(out.bodies, K_[diagonal]);
-  }
+  RoundOff out = largest_;
   for (std::size_t i = interface_springs_; i < springs_.size(); ++i) out.system = std::max(out.system, springs_.k[i]);
   const double places = std::numeric_limits<double>::epsilon() * largest_of(state.q);
   out.system *= 8.0 * places;
@@ -133,7 +127,7 @@ void Newmark::begin_balance(const State& state, double h, NewtonLoop& loop) {
   loop.affine.assign(d_.size(), 0.0);
   loop.moved.resize(d_.size());
   if (spares_affine()) add_affine_damping(state, system_.rate(), loop.affine);
-  linear_system(h);
+  if (!keep_) linear_system(h);
 }
 
 bool Newmark::solve_iterate(const State& state, double h, NewtonLoop& loop, StepReport& report) {

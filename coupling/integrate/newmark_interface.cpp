@@ -52,8 +52,9 @@ void Newmark::take_back(IntegratorMemory& memory) {
   std::swap(interface_.kept(), memory.iterates);
 }
 
-void Newmark::take_tangent(const State& state) {
+void Newmark::take_tangent(const State& state, double h) {
   K_ = tangent_.stiffness;
+  linear_system(h);
   contacts_.enter(state.factored);
   has_tangent_ = true;
 }

@@ -29,7 +29,7 @@ std::vector<BodyRecord> Partitioned::records(const State& state, bool is_explici
 Partitioned::Side::Side(const Setup& whole, const Methods& methods, const State& state_of_all, bool is_explicit,
                         bool shared)
     : setup(whole.model(), methods, records(state_of_all, is_explicit),
-            ghosts(whole, state_of_all, is_explicit, shared), whole.clocks()) {
+            ghosts(whole, state_of_all, is_explicit, shared), whole.clocks(), &whole) {
   state.bodies = state_of_all.bodies;
   state.anchors = state_of_all.anchors;
   state.support = state_of_all.support;
@@ -50,7 +50,8 @@ Partitioned::Partitioned(const Setup& whole, const Methods& methods, const State
   for (const OutlineNode i : setup.outlines().nodes.indices()) {
     const Row& row = setup.outlines().nodes[i];
     const Body& b = setup.body(setup.outlines().node_body[i]);
-    compliance_.push_back(setup.on_ghost(row) ? setup.pool_of(b).compliance(b.index, setup.local(b, row)) : 0.0);
+    is_ghost_.push_back(setup.on_ghost(row) ? 1 : 0);
+    compliance_.push_back(is_ghost_[i] != 0 ? setup.pool_of(b).compliance(b.index, setup.local(b, row)) : 0.0);
   }
 }
 
@@ -285,22 +286,19 @@ void Partitioned::find_springs(bool keep) {
   stiffness_ = 0.0;
   const double H = seconds(step_);
   double turns_back = 0.0;  // times H^2/2 it bounds the ratio of successive changes of u in the iteration
-  const Setup& setup = explicit_side_.setup;
-  const Outlines& o = setup.outlines();
   const ContactList& list = explicit_->contacts();
   for (std::size_t i = 0; i < list.points.size(); ++i) {
     const ContactPoint& p = list.points[i];
     const ContactMemory& m = list.memory[i];
     if (m.status == ContactStatus::open) continue;
-    const auto is_ghost = [&](OutlineNode node) { return setup.on_ghost(o.nodes[node]); };
-    if (!is_ghost(p.node[0]) && !is_ghost(p.node[1]) && !is_ghost(p.node[2])) continue;
+    if ((is_ghost_[p.node[0]] | is_ghost_[p.node[1]] | is_ghost_[p.node[2]]) == 0) continue;
     const auto add = [&](const ContactRow& row, double k, double c) {
       Spring s;
       s.k = 0.5 * k + c / H;
       stiffness_ += s.k;
       if (keep) return;
       for (std::size_t n = 0; n < 3; ++n) {
-        if (!is_ghost(p.node[n])) continue;
+        if (is_ghost_[p.node[n]] == 0) continue;
         s.node[s.count] = p.node[n];
         s.direction[s.count++] = row[n];
         turns_back += s.k * compliance_[p.node[n]];

@@ -117,6 +117,7 @@ class Partitioned final : public TimeIntegrator, private InterfaceForce {
   double bound_ = 0.0;  // certified step of the explicit side [s]; 0: to be found
   std::vector<Spring> springs_;
   double stiffness_ = 0.0;                         // k/2 + c/H of closed contacts with ghosts, summed [N/m]
+  IndexedVector<OutlineNode, char> is_ghost_;      // 1 for outline nodes of ghosts
   IndexedVector<OutlineNode, double> compliance_;  // of outline nodes of ghosts [1/kg]
   std::vector<double> present_;                    // forces on ghosts, in the order of the implicit side
   std::vector<double> end_, sum_, ahead_;          // in the order of the explicit side

@@ -50,11 +50,15 @@ Observer::Observer(const Setup& setup, const State& state, std::uint32_t mesh_id
     const AffineMotion map = affine_fit(shape.origin, shape.outline);
     monitors_.push_back(setup.global(b, setup.pool_of(b).row_at(b.index, map.c + map.F * m.point)));
   }
+  recovers_.resize(setup.pools());
   recovered_.resize(setup.pools());
-  for (const Monitor& m : setup.model().monitors) {
-    const auto p = static_cast<std::size_t>(setup.body(m.block).pool);
+  for (std::size_t i = 0; i < monitors_.size(); ++i) {
+    const auto p = static_cast<std::size_t>(setup.body(setup.model().monitors[i].block).pool);
+    const std::int32_t first = setup.pool_first(p);
     monitor_pool_.push_back(p);
-    recovered_[p].resize(3 * static_cast<std::size_t>(setup.pool_first(p + 1) - setup.pool_first(p)));
+    recovers_[p].resize(static_cast<std::size_t>(setup.pool_first(p + 1) - first), 0);
+    recovered_[p].resize(3 * recovers_[p].size());
+    for (const std::int32_t node : monitors_[i].node) recovers_[p][static_cast<std::size_t>(node - first)] = 1;
   }
   monitor_stress_.resize(3 * monitors_.size());
   for (auto* v : {&monitor_position_, &monitor_displacement_, &monitor_velocity_}) v->resize(2 * monitors_.size());
@@ -164,7 +168,7 @@ void Observer::see_contacts(const State& state) {
 void Observer::recover_stress(const State& state) {
   for (std::size_t p = 0; p < recovered_.size(); ++p)
     if (!recovered_[p].empty())
-      setup_->pool(p).recovered_stress(setup_->part(std::span<const double>(state.q), p), recovered_[p]);
+      setup_->pool(p).recovered_stress(setup_->part(std::span<const double>(state.q), p), recovers_[p], recovered_[p]);
   for (std::size_t i = 0; i < monitors_.size(); ++i) {
     const std::size_t p = monitor_pool_[i];
     for (std::size_t c = 0; c < 3; ++c) {

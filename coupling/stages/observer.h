@@ -42,7 +42,8 @@ class Observer {
   std::vector<double> origin_, position_, velocity_, stress_;
   std::vector<Row> monitors_;
   std::vector<std::size_t> monitor_pool_;
-  std::vector<std::vector<double>> recovered_;  // per pool: stress per node; empty where no monitor needs it
+  std::vector<std::vector<char>> recovers_;     // per pool and node: 1 where a monitor needs it; empty where none does
+  std::vector<std::vector<double>> recovered_;  // per pool: stress per node
   std::vector<double> monitor_position_, monitor_displacement_, monitor_velocity_, monitor_stress_;
   std::vector<std::int32_t> pool_cells_;          // first cell of each pool
   std::vector<char> hides_;                       // per pool: 1 where some of its blocks are absent,

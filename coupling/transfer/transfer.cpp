@@ -472,7 +472,7 @@ TransferReport transfer_bodies(const Model& model, const Methods& methods, const
   hand_contacts_over(from, change.changed(), state);
   TransferReport out;
   out.setup = std::make_unique<Setup>(model, methods, state.bodies, slow_bodies(model, stage, state.explicit_side),
-                                      std::move(clocks));
+                                      std::move(clocks), &from);
   change.place(*out.setup);
   keep_elongations(supports, q, *out.setup, change.changed(), state);
   keep_bolt_forces(bolts, q, *out.setup, state);

@@ -59,7 +59,7 @@ Errors solve(const Polygon& polygon, double h) {
   std::vector<double> q = block.q;
   for (std::size_t i = 0; i < q.size(); ++i) q[i] += u[i];
   std::vector<double> recovered(3 * q.size() / 2);
-  block.pool.recovered_stress(q, recovered);
+  block.pool.recovered_stress(q, std::vector<char>(q.size() / 2, 1), recovered);
 
   // Rigid motions are arbitrary: the one of least squares is subtracted.
   const auto found = [&](std::size_t e, const Vec2& x) {
