@@ -128,7 +128,6 @@ class Newmark final : public TimeIntegrator {
     bool iterative = false;             // one solution is not enough
     bool fresh = true;                  // the linear system is new
     bool at_round_off = false;          // the residual is round-off of the system's forces
-    bool refined = false;               // the work of a residual caused one more iteration
     double left = 0.0, largest = 0.0;   // residual and largest force of the iterate [N]
     double last = std::numeric_limits<double>::infinity();  // residual of the previous iterate [N]
     double apart = 0.0;                                     // InterfaceIteration::residual() [N]
@@ -138,15 +137,17 @@ class Newmark final : public TimeIntegrator {
   [[nodiscard]] bool solve_iterate(const State& state, double h, NewtonLoop& loop, StepReport& report);
   enum class Settled { no, yes, failed };
   /// Tests whether the iterate balances, and whether the interface force of a partitioned step has converged.
-  [[nodiscard]] Settled settle(const State& state, NewtonLoop& loop, StepReport& report);
+  [[nodiscard]] Settled settle(const State& state, double h, NewtonLoop& loop, StepReport& report);
+  [[nodiscard]] bool evaluate_iterate(const State& state, double h, NewtonLoop& loop, StepReport& report);
+  /// Corrects a balanced iterate as long as the work of its residual matters for the ledger.   @return as solve_iterate
+  [[nodiscard]] bool refine(const State& state, double h, NewtonLoop& loop, StepReport& report);
   void prepare_iterate(const State& state, double h, NewtonLoop& loop);
   [[nodiscard]] bool balance(const State& state, double h, StepReport& report);
   /// Factor of M d in the balance [1/s2]: half (trapezoidal: all) of the square of 2/h, the factor of d in the new
   /// velocity. To the last place, since the ledger adds the difference up over the steps.
   [[nodiscard]] double mass_factor(double h) const { return (trapezoidal() ? 1.0 : 0.5) * (2.0 / h) * (2.0 / h); }
   void linear_system(double h);
-  /// Right-hand side of Newton's system at the present iterate.
-  /// @param moved  d_ of nonlinear unknowns   @param affine  damping forces
+  /// Right-hand side at the present iterate.   @param moved  d_ of nonlinear unknowns   @param affine  damping forces
   void find_right_side(std::span<const double> moved, std::span<const double> affine);
   /// True if mass damping excludes affine motion: its force then depends on the iterate.
   [[nodiscard]] bool spares_affine() const { return options_.damping > 0.0 && !options_.damp_rigid_motion; }

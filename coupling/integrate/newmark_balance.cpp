@@ -13,6 +13,7 @@ namespace {
 
 constexpr double kBalanced = 1e-11;  // of the largest force
 constexpr double kWorkLeft = 4e-16;  // of the energy moved: work of a residual that the ledger may leave over in a step
+constexpr int kRefinements = 2;      // of an iterate; further ones only stir round-off
 constexpr int kIterations = 50;
 constexpr int kMoreIterations = 4;  // that a step may take with a kept tangent beyond the fewest
 
@@ -153,8 +154,8 @@ bool Newmark::solve_iterate(const State& state, double h, NewtonLoop& loop, Step
   }
   ++report.iterations;
   loop.fresh = false;
-  for (std::size_t i = 0; i < d_.size(); ++i) rate_[i] = 2.0 / h * d_[i] - system_.rate()[i];
   if (!loop.iterative && contacts_.find_left(out_)) {  // one solution is enough: reach() moves the bodies
+    for (std::size_t i = 0; i < d_.size(); ++i) rate_[i] = 2.0 / h * d_[i] - system_.rate()[i];
     damping_forces(state, rate_, damped_after_);
     loop.left = largest_of(out_);
     if (std::isfinite(loop.left)) return true;
@@ -162,6 +163,11 @@ bool Newmark::solve_iterate(const State& state, double h, NewtonLoop& loop, Step
     report = not_finite(report, state, h);
     return false;
   }
+  return evaluate_iterate(state, h, loop, report);
+}
+
+bool Newmark::evaluate_iterate(const State& state, double h, NewtonLoop& loop, StepReport& report) {
+  for (std::size_t i = 0; i < d_.size(); ++i) rate_[i] = 2.0 / h * d_[i] - system_.rate()[i];
   move_to_iterate(state);
   force_after_ = force_before_;
   energy_after_ = system_.linearise(q_new_, loop.kind, false, {}, force_after_);
@@ -174,7 +180,15 @@ bool Newmark::solve_iterate(const State& state, double h, NewtonLoop& loop, Step
   return false;
 }
 
-Newmark::Settled Newmark::settle(const State& state, NewtonLoop& loop, StepReport& report) {
+bool Newmark::refine(const State& state, double h, NewtonLoop& loop, StepReport& report) {
+  for (int k = 0; k < kRefinements && std::abs(dot(out_, d_)) > kWorkLeft * state.ledger.moved(); ++k) {
+    contacts_.correct(out_, d_, report);
+    if (!evaluate_iterate(state, h, loop, report)) return false;
+  }
+  return true;
+}
+
+Newmark::Settled Newmark::settle(const State& state, double h, NewtonLoop& loop, StepReport& report) {
   const RoundOff rounded = loop.iterative ? round_off(state) : RoundOff{};
   bool met = !interface_.acts();
   const double allowed = std::max(options_.together * largest_interface_force_, rounded.system);
@@ -183,16 +197,12 @@ Newmark::Settled Newmark::settle(const State& state, NewtonLoop& loop, StepRepor
     if (met && !evaluate_interface_force(state, report)) return Settled::failed;
   }
   loop.at_round_off = loop.left <= rounded.system;
-  bool balanced = !loop.iterative || loop.left <= kBalanced * loop.largest;
-  if (balanced && loop.iterative && !interface_.acts() && !loop.refined &&
-      std::abs(dot(out_, d_)) > kWorkLeft * state.ledger.moved()) {
-    contacts_.solve_closely();
-    loop.refined = true;
-    balanced = false;
-  }
-  const bool stays = loop.at_round_off && report.iterations > 2 && loop.left > 0.5 * loop.last,
+  const bool balanced = !loop.iterative || loop.left <= kBalanced * loop.largest,
+             stays = loop.at_round_off && report.iterations > 2 && loop.left > 0.5 * loop.last,
              kicked = interface_.acts() &&
                       loop.left <= rounded.bodies;  // InterfaceIteration::kick() applies the impulse of the residual
+  if (loop.iterative && !interface_.acts() && (balanced || stays) && !refine(state, h, loop, report))
+    return Settled::failed;
   loop.apart = 0.0;
   for (;; met = true) {
     if (interface_.acts()) loop.apart = interface_.residual(out_);
@@ -230,7 +240,7 @@ bool Newmark::balance(const State& state, double h, StepReport& report) {
   begin_balance(state, h, loop);
   for (;;) {
     if (!solve_iterate(state, h, loop, report)) return false;
-    if (const Settled settled = settle(state, loop, report); settled != Settled::no) return settled == Settled::yes;
+    if (const Settled settled = settle(state, h, loop, report); settled != Settled::no) return settled == Settled::yes;
     const int most = !made_              ? tangent_.least + kMoreIterations
                      : interface_.acts() ? kIterations + FixedPoint::kPatience
                                          : kIterations;

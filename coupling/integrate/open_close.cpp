@@ -89,7 +89,7 @@ void OpenClose::begin(const ContactList& list, std::span<const double> q, std::s
   list_ = &list;
   springs_ = &springs;
   damping_ = damping;
-  current_ = updated_ = same_matrix_ = closely_ = false;
+  current_ = updated_ = same_matrix_ = false;
   predict_ = allowed_;
   corrections_left_ = kCorrectionsPerFactor;
   counts_ = {};

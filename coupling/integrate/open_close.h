@@ -54,9 +54,9 @@ class OpenClose {
              const StepSprings& springs, double dashpot = 0.0, std::span<const LowRank> damping = {});
   /// After begin(): matrix and springs' rows are those of the last factor, and there are no contact points.
   void keep_matrix() { current_ = same_matrix_ = cholesky_.factored(); }
-  /// The next solutions of the step are to leave no more than round-off. Newton's method asks for it where the work of
-  /// its residual matters: a right-hand side includes stiffness times displacement, far more than the largest force.
-  void solve_closely() { closely_ = true; }
+  /// After solve(): adds to d what balances the forces `left` in the present states. They are far smaller than those of
+  /// solve(), stiffness times displacement, and so is their round-off.
+  void correct(std::span<const double> left, std::span<double> d, StepReport& report);
   /// Takes over the springs' rows again, on the same unknowns: their coefficients have changed.
   void change_springs() {
     for (std::size_t i = 0; i < springs_->size(); ++i) rows_.take_row(i, springs_->rows[i]);
@@ -114,8 +114,9 @@ class OpenClose {
   [[nodiscard]] double round_off(std::span<const double> d) const;
   /// True if the factor is not that of the whole matrix: points slip, or damping has terms outside the pattern.
   [[nodiscard]] bool unsymmetric() const { return !slipping_.empty() || !damping_.empty(); }
-  /// Conjugate residuals with the factor as it is.   @return iterations; -1: not converged
-  int iterate(double enough, int most, std::span<double> d);
+  /// Conjugate residuals with the factor as it is, for the matrix of the present states.
+  /// @return iterations; -1: not converged
+  int iterate(std::span<const double> rhs, double enough, int most, std::span<double> d);
   /// iterate() to the accuracy that the pass requires.
   int improve(int most, std::span<double> d, StepReport& report);
   /// Finds the unknowns for the states; makes a new factor if the present one takes too many iterations.
@@ -169,7 +170,7 @@ class OpenClose {
   std::vector<std::int32_t> row_size_;                      // scratch: unknowns of each row
   IndexedVector<OutlineNode, std::int32_t> chart_of_node_;  // -1: none yet in this step
   std::span<const double> A_;
-  std::vector<double> rhs_, base_, factored_k_;
+  std::vector<double> rhs_, base_, factored_k_, correction_;
   std::vector<std::size_t> active_;  // rows whose stiffness is not zero
   /// A point that slips in a pass.
   struct Slipping {
@@ -189,7 +190,6 @@ class OpenClose {
   bool updated_ = false;
   bool exact_ = false;            // the pass is to solve to round-off: not before states seem to have settled
   bool rough_ = false;            // the present solution is less accurate
-  bool closely_ = false;          // solve_closely() was called in the step
   bool friction_settled_ = true;  // in the last pass
   bool keep_ = false;             // this step may use the kept factor
   int corrections_left_ = 0;      // iterations that this step may still take with that factor

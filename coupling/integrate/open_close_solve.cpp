@@ -67,33 +67,33 @@ double OpenClose::round_off(std::span<const double> d) const {
   return 4.0 * std::numeric_limits<double>::epsilon() * *std::max_element(size.begin(), size.end());
 }
 
-int OpenClose::iterate(double enough, int most, std::span<double> d) {
+int OpenClose::iterate(std::span<const double> rhs, double enough, int most, std::span<double> d) {
   using In = std::span<const double>;
   using Out = std::span<double>;
   if (blocks_.acts)
     return residuals_.solve([this](In x, Out y) { blocks_.system.multiply(x, y); },
                             [this](In x, Out y) { blocks_.system.matrix().multiply(x, y); },
-                            [this](In r, std::span<float> z) { blocks_.factor.solve(r, z); }, rhs_, system_->unit(),
+                            [this](In r, std::span<float> z) { blocks_.factor.solve(r, z); }, rhs, system_->unit(),
                             enough, most, d);
-  return residuals_.solve([this](In x, Out y) { multiply(x, y); }, [this](In r, Out z) { cholesky_.solve(r, z); }, rhs_,
+  return residuals_.solve([this](In x, Out y) { multiply(x, y); }, [this](In r, Out z) { cholesky_.solve(r, z); }, rhs,
                           system_->unit(), enough, most, d);
 }
 
 int OpenClose::improve(int most, std::span<double> d, StepReport& report) {
   // Of the largest force. The work of what is left adds up over the steps of a slide; with a complete factor less of it
   // costs a few iterations in a hundred more.
-  constexpr double kByBlocks = 1e-13, kByFactor = 3e-14, kClosely = 5e-15;
+  constexpr double kByBlocks = 1e-13, kByFactor = 3e-14;
   constexpr double kRough = 1e-7;  // while states still switch
   // A complete factor mostly takes fewer than eight: then round-off is probably above what is asked for.
   constexpr int kAtOnce = ConjugateResiduals::kDepth, kByFactorAtOnce = 8;
   // Friction causes most of the iterations; without it, and with the factor of the matrix, one or two are enough.
   rough_ = !exact_ && (keep_ || blocks_.acts || unsymmetric());
-  const double exact = closely_ ? kClosely : blocks_.acts ? kByBlocks : kByFactor, part_of = rough_ ? kRough : exact;
+  const double part_of = rough_ ? kRough : blocks_.acts ? kByBlocks : kByFactor;
   double enough = part_of * force_scale(d);
   int taken = 0;
   for (bool looked = false;;) {
     const int part = std::min(most - taken, blocks_.acts || looked ? kAtOnce : kByFactorAtOnce);
-    const int more = iterate(enough, part, d);
+    const int more = iterate(rhs_, enough, part, d);
     taken += more >= 0 ? more : part;
     if (more >= 0 || (looked && taken >= most)) {
       report.corrections += taken;
@@ -105,6 +105,21 @@ int OpenClose::improve(int most, std::span<double> d, StepReport& report) {
     enough = std::max(part_of * force_scale(d), round_off(d));
     looked = true;
   }
+}
+
+void OpenClose::correct(std::span<const double> left, std::span<double> d, StepReport& report) {
+  constexpr double kPart = 1e-8;  // of the forces: those that move a body as a whole are small among them
+  constexpr int kMost = 8;
+  double largest = 0.0;
+  for (std::size_t i = 0; i < left.size(); ++i) largest = std::max(largest, std::abs(left[i]) / system_->unit()[i]);
+  correction_.assign(d.size(), 0.0);
+  const int taken = iterate(left, kPart * largest, kMost, correction_);
+  report.corrections += taken >= 0 ? taken : kMost;
+  for (std::size_t i = 0; i < d.size(); ++i) {
+    d[i] += correction_[i];
+    rhs_[i] += left[i];  // the system that d solves, for check()
+  }
+  states_.evaluate(d);
 }
 
 bool OpenClose::solve_states(std::span<double> d, StepReport& report) {
