@@ -13,8 +13,8 @@ namespace scree::app {
 /// once, two threads took 1.27 times as long as one in cases/threads, with this policy 1.06 times (a quiet machine).
 /// By default GCC's OpenMP lets waiting threads spin, for minutes if necessary: if anything else computes on the
 /// machine, steps of small models take fifty times as long, all of it processor time. OpenMP reads its environment
-/// before main and has no call for this setting, so the program restarts itself once. If it cannot, it continues
-/// unchanged.
+/// before main and has no call for this setting, so the program restarts itself once, with a BLAS on one thread as
+/// well: that library starts threads which nothing uses. If it cannot restart, it continues unchanged.
 /// @param argv  as passed to main
 void let_threads_sleep(char** argv);
 
