@@ -36,5 +36,5 @@ set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)  # the libraries of the command, from what it is linked with
 # Packages that a program linking Scree requires, from packages.txt.
-set(CPACK_DEBIAN_PACKAGE_SUGGESTS "g++, cmake, pkg-config, libeigen3-dev, libbullet-dev, libsuitesparse-dev, libopenblas0-pthread, libhdf5-dev, liblcm-dev, libglib2.0-dev, libgeos-dev, libtomlplusplus-dev, libfmt-dev, libspdlog-dev, libcairo2-dev, libdxflib-dev, zlib1g-dev, libdeflate-dev, libssl-dev")
+set(CPACK_DEBIAN_PACKAGE_SUGGESTS "g++, cmake, pkg-config, libeigen3-dev, libbullet-dev, libsuitesparse-dev, libopenblas0-pthread, libhdf5-dev, liblcm-dev, libglib2.0-dev, libgeos-dev, libtomlplusplus-dev, libfmt-dev, libspdlog-dev, libcairo2-dev, libdxflib-dev, zlib1g-dev, libisal-dev, libssl-dev")
 include(CPack)

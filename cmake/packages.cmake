@@ -15,7 +15,7 @@ pkg_check_modules(bullet REQUIRED IMPORTED_TARGET bullet-float64)
 pkg_check_modules(lcm REQUIRED IMPORTED_TARGET lcm)
 pkg_check_modules(geos REQUIRED IMPORTED_TARGET geos)
 pkg_check_modules(cairo REQUIRED IMPORTED_TARGET cairo)
-pkg_check_modules(libdeflate REQUIRED IMPORTED_TARGET libdeflate)
+pkg_check_modules(libisal REQUIRED IMPORTED_TARGET libisal)
 pkg_check_modules(dxflib REQUIRED IMPORTED_TARGET dxflib)
 
 if(NOT SCREE_INSTALLED)
