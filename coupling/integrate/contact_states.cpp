@@ -196,11 +196,38 @@ bool ContactStates::proposes_slack(std::size_t i, ProposedState& w) const {
   return true;
 }
 
+bool ContactStates::rides(std::size_t i, ProposedState& w) const {
+  const ContactTrial& t = trial_[i];
+  const ContactMemory& m = list_->memory[i];
+  const double left = slip_left(i), e = stretch_before(i) + t.moved;
+  const bool touched = m.status != ContactStatus::open || m.gap < 0.0;
+  if (!(law_of(i).dilation > 0.0) || !(left > 0.0) || !touched || m.bonded != 0) return false;
+  const double direction = e > 0.0 ? -1.0 : 1.0;
+  double force = 0.0, slip = 0.0;
+  for (const bool opens : {true, false}) {
+    const DilatingForce f = dilating_force(law_of(i), strength_[i], t.k, m.kt, direction, opens, left);
+    force = -(f.per_gap * (t.at + t.gap - m.gap) + f.per_stretch * e + f.constant);
+    slip = std::abs(e) - strength_[i].friction_limit(force) / m.kt;
+    w.opens = opens;
+    if (slip < left) break;
+  }
+  if (!(force > 0.0) || !(slip > 0.0)) return false;
+  w.status = ContactStatus::slip;
+  w.direction = direction;
+  w.slack = false;
+  w.violation = force;
+  return true;
+}
+
 ContactStates::ProposedState ContactStates::proposed_of_open(std::size_t i) const {
   const ContactTrial& t = trial_[i];
   const ContactMemory& m = list_->memory[i];
   ProposedState w{t.status, t.direction, t.opens, t.slack};
-  if (t.gap >= 0.0 || !may_close(i)) return w;
+  if (!may_close(i)) return w;
+  if (t.gap >= 0.0) {
+    ProposedState riding = w;
+    return rides(i, riding) ? riding : w;
+  }
   // State and violation follow from the spring forces at the present positions of the bodies: a point that sticks while
   // the joint slides may be lifted by its own tangential spring, and its state would never settle.
   w.violation = -m.kn * t.gap;
@@ -361,7 +388,7 @@ std::size_t ContactStates::hash(std::span<const std::size_t> points) {
 const ContactKey* ContactStates::closing() const {
   for (std::size_t i = 0; i < trial_.size(); ++i)
     if (trial_[i].status != ContactStatus::open ||
-        (trial_[i].gap < 0.0 && !list_->points[i].suppressed && may_close(i)))
+        (!list_->points[i].suppressed && proposed_of_open(i).status != ContactStatus::open))
       return &list_->memory[i].key;
   return nullptr;
 }

@@ -115,6 +115,10 @@ class ContactStates {
   [[nodiscard]] double tolerance(std::size_t i) const;
   /// A point whose dashpot pulls too much becomes slack; a slack one may return.   @return true if it should change
   [[nodiscard]] bool proposes_slack(std::size_t i, ProposedState& w) const;
+  /// True if an open point that touched at the start of the step is closed where it slips: its own slip opens the joint
+  /// there by more than its gap. Both states could be without contradiction, since an open point does not dilate; but a
+  /// joint that slides in contact rides up as a whole.   @param w  receives that state
+  [[nodiscard]] bool rides(std::size_t i, ProposedState& w) const;
   [[nodiscard]] ProposedState proposed_state(std::size_t i) const;
   [[nodiscard]] ProposedState proposed_of_open(std::size_t i) const;
   /// Lists a point in proposed_ if it is to change.

@@ -362,18 +362,28 @@ std::vector<BlockId> stones_of_arches(const Model& model, const std::vector<Touc
   const auto turned = [up = Vec2(-weight_direction(model))](const Vec2& push) {
     return up == Vec2::Zero() ? std::numbers::pi : std::atan2(cross(up, push), up.dot(push));
   };
-  const auto carries = [&](const Vec2& push, const Stretch& s) {
+  // A block stands where forces of standing blocks within their cones of friction can carry a weight: one of them, or
+  // two on either side of the vertical, as of a slope and of a block below on it. Smallest angles to either side:
+  struct Sides {
+    double left = std::numeric_limits<double>::infinity(), right = -std::numeric_limits<double>::infinity();
+  };
+  std::vector<Sides> sides(n);
+  const auto carries = [&](BlockId into, const Vec2& push, const Stretch& s) {
     if (!s.law.valid()) return false;
     const JointLaw& law = model.joints[s.law.index()];
-    const bool glued = law.cohesion > 0.0 || law.tensile_strength > 0.0;
-    return glued || std::abs(turned(push)) <= law.friction;
+    if (law.cohesion > 0.0 || law.tensile_strength > 0.0) return true;
+    const double angle = turned(push), least = angle - law.friction, most = angle + law.friction;
+    Sides& of = sides[into.index()];
+    if (most >= 0.0) of.left = std::min(of.left, std::max(least, 0.0));
+    if (least <= 0.0) of.right = std::max(of.right, std::min(most, 0.0));
+    return of.left - of.right < std::numbers::pi - 1e-6;
   };
   for (bool grew = true; grew;) {
     grew = false;
     for (const Touch& t : touches)
       for (const Stretch& s : t.facing) {
         const auto lift = [&](BlockId from, BlockId into, const Vec2& push) {
-          if (stands[from.index()] == 0 || stands[into.index()] != 0 || !carries(push, s)) return;
+          if (stands[from.index()] == 0 || stands[into.index()] != 0 || !carries(into, push, s)) return;
           stands[into.index()] = 1;
           grew = true;
         };

@@ -16,6 +16,8 @@ namespace {
 constexpr double kReach = 2.0;      // in detection distances: a step moves a point by at most half of one
 constexpr double kNoStrain = 1e-9;  // energies of smaller strains count as none
 constexpr double kNowhere = 1e300;  // [m]
+constexpr double kStill =
+    1e-12;  // [m/s]: the end of a recorded motion leaves round-off of the sum of its accelerations
 
 bool overlap(const Box& a, const Box& b) {
   return (a.lo.array() <= b.hi.array()).all() && (b.lo.array() <= a.hi.array()).all();
@@ -77,13 +79,13 @@ bool SleepRules::changes(const Source& source, Tick from, Tick to) const {
   if (source.function.valid())
     return setup_->factor(source.function, seconds(from)) != setup_->factor(source.function, seconds(to));
   if (source.driven != nullptr) return drives(*source.driven, from, to);
-  return setup_->ground_velocity(source.motion, seconds(to)) != Vec2(0.0, 0.0);
+  return setup_->ground_velocity(source.motion, seconds(to)).norm() > kStill;
 }
 
 bool SleepRules::drives(const Body& b, Tick from, Tick to) const {
-  return b.motion.valid() &&
-         (setup_->ground_velocity(b.motion, seconds(to)) != Vec2(0.0, 0.0) ||
-          setup_->driven_displacement(b, seconds(from)) != setup_->driven_displacement(b, seconds(to)));
+  if (!b.motion.valid()) return false;
+  const Vec2 way = setup_->driven_displacement(b, seconds(to)) - setup_->driven_displacement(b, seconds(from));
+  return setup_->ground_velocity(b.motion, seconds(to)).norm() > kStill || way.norm() > kStill * seconds(to - from);
 }
 
 Box SleepRules::box_of(EdgeIndex edge, std::span<const double> q) const {

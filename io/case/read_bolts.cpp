@@ -133,8 +133,10 @@ void read_bolts(const Section& root, const DrawnLayers& drawing, Model& model) {
       throw s.error(s.has("name") ? "name" : place, "two bolts have the same name", "a name for each bolt",
                     "choose another name, or leave it out");
     if (const std::string wrong = lay_out(model, bolt); !wrong.empty())
-      throw s.error(place, fmt::format("bolt {}: {}", in_quotes(bolt.name), wrong),
-                    "a line from its head to its toe, both in or on blocks", "compare head and toe with the blocks");
+      throw s.error(wrong.starts_with("its toe") && s.has("toe") ? "toe" : place,
+                    fmt::format("bolt {}: {}", in_quotes(bolt.name), wrong),
+                    "a line from its head to its toe, both in blocks, or on outlines from where it runs into the block",
+                    "compare head and toe with the blocks");
     check_blocks(s, place, model, bolt);
     check_bond(s, bolt);
     model.bolts.push_back(std::move(bolt));

@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdio>
+#include <numbers>
 
 #include "coupling/bolts/bolt_rows.h"
 #include "tests/support/bolted.h"
@@ -212,6 +214,30 @@ TEST(SleepRules, a_block_wakes_where_its_bolt_is_anchored_in_a_driven_block_that
   at.hand.state.time = ticks(0.52);
   EXPECT_EQ(at.check(1), Bodies{1});
   EXPECT_EQ(at.last->cause, "block 'base', joined by a bolt, moves");
+}
+
+TEST(SleepRules, blocks_fall_asleep_on_a_base_whose_recorded_motion_is_over) {
+  Scene scene(1e9, 0.2, 2000.0);
+  scene.model.gravity = {0.0, 0.0};
+  scene.add("block", rectangle(0.0, 0.01, 1.0, 1.01));
+  scene.add("base", rectangle(-1.0, -1.0, 2.0, 0.0), true);
+  std::vector<double> time, acceleration;
+  for (int i = 0; i <= 100; ++i) {
+    time.push_back(0.01 * i);
+    acceleration.push_back(3.0 * std::sin(2.0 * std::numbers::pi * time.back()));
+  }
+  scene.model.motions.emplace_back(time, acceleration, Vec2(1.0, 0.0), GroundMotion::Setting{0.5});
+  scene.model.block_supports[0].motion = MotionId{0};
+  scene.stage("dda", Integrator::explicit_, 5.0, 1e-4).sleep = 1e-3;
+  Evaluated moving(scene), at(scene);
+  moving.hand.state.time = ticks(1.0);
+  EXPECT_EQ(moving.check(), Bodies{});
+  const double left = at.hand.setup->ground_velocity(MotionId{0}, 3.0).norm();
+  std::printf("velocity that the record leaves: %.1e m/s\n", left);
+  EXPECT_GT(left, 0.0);  // the sum of its accelerations is round-off, not 0
+  EXPECT_LT(left, 1e-14);
+  at.hand.state.time = ticks(3.0);
+  EXPECT_EQ(at.check(), Bodies{0});
 }
 
 TEST(SleepRules, are_evaluated_once_a_step) {

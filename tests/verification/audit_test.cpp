@@ -161,6 +161,32 @@ TEST(Audit, block_that_nothing_holds_inside_another_is_found) {
   EXPECT_NE(r.geometry().text().find("inside block 'floor'"), std::string::npos) << r.geometry().text();
 }
 
+/// The arms of a beam held in the middle hang down: its lower side is above the chord of its ends there, and
+/// the corner of a block between the two touches nothing.
+TEST(Audit, corner_between_a_bent_side_and_its_chord_is_outside) {
+  Scene scene(5e8, 0.2, 2500.0, 30.0);
+  const BlockId beam = scene.add("beam", rectangle(0.0, 1.0, 6.0, 1.3));
+  scene.add("below", rectangle(4.4, 0.0, 4.6, 0.978), true);
+  for (const double x : {2.9, 3.1}) scene.model.point_supports.push_back({beam, {x, 1.0}, true, true, 1e10});
+  scene.stage("nmm", Integrator::implicit, 4.0, 0.05, 0.15).rest = true;
+  scene.plan.detection = 0.002;
+  scene.plan.audit = true;
+  const coupling::Methods methods = coupling::standard_methods();
+  coupling::Driver run(scene.model, scene.plan, methods);
+  const coupling::RunEnd end = run.run();
+  EXPECT_EQ(end.status, coupling::RunEnd::Status::done) << end.reason;
+  const coupling::Setup& setup = run.setup();
+  const auto height = [&](double x) {
+    const coupling::Body& b = setup.bodies()[0];
+    return coupling::position(setup.global(b, setup.pool_of(b).row_at(b.index, Vec2(x, 1.0) - b.centre)), run.state().q)
+        .y();
+  };
+  const double chord = height(6.0);
+  std::printf("lower side at %.4f m, chord at %.4f m\n", height(4.5), chord);
+  EXPECT_LT(chord, 0.978 - 2e-3);
+  EXPECT_GT(height(4.5), 0.978 + 2e-3);
+}
+
 TEST(Audit, corners_where_joints_cross_go_as_deep_as_the_joints_beside_them_give_way) {
   constexpr double kDetection = 0.02;
   Scene scene(3e8, 0.2, 2500.0, 30.0);

@@ -16,20 +16,22 @@ namespace {
 
 constexpr double kSameNumber = 1e-9;  // of the detection distance: difference of gaps and stretches computed twice
 
-/// Outlines of the bodies at their present places: corners only.
-std::vector<Polygon> present_outlines(const Setup& setup, std::span<const double> q) {
+/// The outline of a body at its present place, with the nodes of its mesh, since its edges may be bent.
+struct PresentOutline {
+  Polygon polygon;
+  std::vector<Vec2> corners;  // of the outer ring
+};
+std::vector<PresentOutline> present_outlines(const Setup& setup, std::span<const double> q) {
   const Outlines& o = setup.outlines();
-  std::vector<Polygon> out(setup.bodies().size());
+  std::vector<PresentOutline> out(setup.bodies().size());
   for (const Outlines::Edge& e : o.edges) {
     if (e.opposite.valid() || !e.touches) continue;  // of a crack
-    Polygon& p = out[e.body.index()];
-    const Vec2 x = position(o.nodes[o.vertices[e.first_vertex()].node], q);
-    if (e.ring == 0)
-      p.outer.push_back(x);
-    else {
-      p.holes.resize(std::max(p.holes.size(), static_cast<std::size_t>(e.ring)));
-      p.holes[static_cast<std::size_t>(e.ring) - 1].push_back(x);
-    }
+    PresentOutline& body = out[e.body.index()];
+    const auto hole = static_cast<std::size_t>(e.ring);
+    if (hole > 0) body.polygon.holes.resize(std::max(body.polygon.holes.size(), hole));
+    Ring& ring = hole == 0 ? body.polygon.outer : body.polygon.holes[hole - 1];
+    for (std::int32_t k = 0; k < e.segments; ++k) ring.push_back(position(o.nodes[o.vertices[e.vertex(k)].node], q));
+    if (hole == 0) body.corners.push_back(position(o.nodes[o.vertices[e.first_vertex()].node], q));
   }
   return out;
 }
@@ -84,24 +86,24 @@ void audit_geometry(const Setup& setup, const ContactList& list, std::span<const
     audit.check((g.xi - m.anchor) * g.length - m.stretch, allowed,
                 [&] { return fmt::format("{}: the stretch is not {:.6g} m", name(), m.stretch); });
   }
-  const std::vector<Polygon> outline = present_outlines(setup, q);
+  const std::vector<PresentOutline> outline = present_outlines(setup, q);
   std::vector<Box> box;
   box.reserve(outline.size());
   // Bodies of the other side of a partitioned stage, which this one does not touch, have no outline.
-  for (const Polygon& p : outline) box.push_back(p.outer.empty() ? Box{} : bounds(p));
+  for (const PresentOutline& p : outline) box.push_back(p.corners.empty() ? Box{} : bounds(p.polygon));
   for (std::size_t a = 0; a < outline.size(); ++a)
     for (std::size_t b = 0; b < outline.size(); ++b) {
-      if (a == b || !setup.can_touch(a, b) || outline[a].outer.empty() || outline[b].outer.empty()) continue;
+      if (a == b || !setup.can_touch(a, b) || outline[a].corners.empty() || outline[b].corners.empty()) continue;
       if ((box[a].lo.array() > box[b].hi.array()).any() || (box[b].lo.array() > box[a].hi.array()).any()) continue;
       const std::pair<BodyIndex, BodyIndex> bodies = std::minmax({BodyIndex::of(a), BodyIndex::of(b)});
       if (held.contains(bodies)) continue;
       const double most = 0.1 * detection + (listed.contains(bodies) ? pressed[a] + pressed[b] : 0.0);
-      for (const Vec2& x : outline[a].outer)
-        if (contains(outline[b], x))
-          audit.check(depth_in(outline[b], x), most, [&] {
+      for (const Vec2& x : outline[a].corners)
+        if (contains(outline[b].polygon, x))
+          audit.check(depth_in(outline[b].polygon, x), most, [&] {
             const auto& blocks = setup.model().blocks;
             return fmt::format("a corner of block '{}' is {:.3g} m inside block '{}' and nothing holds it",
-                               blocks[setup.bodies()[a].block.index()].name, depth_in(outline[b], x),
+                               blocks[setup.bodies()[a].block.index()].name, depth_in(outline[b].polygon, x),
                                blocks[setup.bodies()[b].block.index()].name);
           });
     }

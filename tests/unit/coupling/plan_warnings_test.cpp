@@ -291,6 +291,13 @@ TEST(Warnings, no_arch_in_a_wall_a_pile_or_a_row_that_slides) {
   row.plan.stages[0].method = "nmm";
   row.plan.stages[0].cover_size = 0.3;
   EXPECT_TRUE(warned(row).empty());
+  // The lowest block stands by its friction, and holds those above it, which slide.
+  Scene held = row;
+  held.model.joints.push_back(held.model.joints[0]);
+  held.model.joints[1].name = "rough";
+  held.model.joints[1].friction = 40.0 * kDegree;
+  held.model.blocks[1].edges = {{JointId{1}, {}, {}, {}}};
+  EXPECT_TRUE(warned(held).empty());
 }
 
 }  // namespace

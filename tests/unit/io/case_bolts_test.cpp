@@ -145,11 +145,13 @@ TEST(Bolts, wrong_ones_are_refused_with_what_to_change) {
 }
 
 TEST(Bolts, places_outside_of_blocks_and_along_joints_are_refused) {
-  const auto told = [](const std::string& head, const std::string& toe) {
+  const auto error = [](const std::string& head, const std::string& toe) {
     return error_of_text(
-               replaced(replaced(kText, "head = [1.0, 2.0]", "head = " + head), "toe = [1.0, 0.2]", "toe = " + toe))
-        .problem;
+        replaced(replaced(kText, "head = [1.0, 2.0]", "head = " + head), "toe = [1.0, 0.2]", "toe = " + toe));
   };
+  const auto told = [&](const std::string& head, const std::string& toe) { return error(head, toe).problem; };
+  EXPECT_EQ(error("[1.0, 2.5]", "[1.0, 0.5]").key, "bolt.0.head");
+  EXPECT_EQ(error("[1.0, 1.5]", "[1.0, -0.5]").key, "bolt.0.toe");
   EXPECT_TRUE(holds(told("[1.0, 2.5]", "[1.0, 0.5]"), "head is in no block"));
   EXPECT_TRUE(holds(told("[1.0, 1.5]", "[1.0, -0.5]"), "toe is in no block"));
   EXPECT_TRUE(holds(told("[9.0, 1.5]", "[9.0, 0.5]"), "through no block"));
