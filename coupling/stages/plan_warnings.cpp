@@ -84,6 +84,48 @@ bool affine(const BodyRequest& request) { return request.method == "dda" || requ
 /// True for a dynamic stage: velocities are physical.
 bool dynamic(const Stage& stage) { return !stage.rest && stage.dynamics == 1.0; }
 
+/// Angle of a push into a block from the upward direction, counter-clockwise [rad].
+double turned(const Vec2& weight, const Vec2& push) {
+  return weight == Vec2::Zero() ? std::numbers::pi : std::atan2(cross(-weight, push), -weight.dot(push));
+}
+
+/// Per block 1 where supports hold it, or where forces of standing blocks within their cones of friction can carry a
+/// weight: of one of them, or of two on either side of the vertical, as of a slope and of a block below on it.
+std::vector<char> standing_blocks(const Model& model, const std::vector<Touch>& touches) {
+  std::vector<char> stands(model.blocks.size(), 0);
+  for (const BlockSupport& s : model.block_supports) stands[s.block.index()] = 1;
+  for (const PointSupport& s : model.point_supports) stands[s.block.index()] = 1;
+  for (const EdgeSupport& s : model.edge_supports) stands[s.span.block.index()] = 1;
+  struct Sides {  // smallest angles to either side
+    double left = std::numeric_limits<double>::infinity(), right = -std::numeric_limits<double>::infinity();
+  };
+  std::vector<Sides> sides(stands.size());
+  const auto carries = [&, weight = weight_direction(model)](BlockId into, const Vec2& push, const Stretch& s) {
+    if (!s.law.valid()) return false;
+    const JointLaw& law = model.joints[s.law.index()];
+    if (law.cohesion > 0.0 || law.tensile_strength > 0.0) return true;
+    const double angle = turned(weight, push), least = angle - law.friction, most = angle + law.friction;
+    Sides& of = sides[into.index()];
+    if (most >= 0.0) of.left = std::min(of.left, std::max(least, 0.0));
+    if (least <= 0.0) of.right = std::max(of.right, std::min(most, 0.0));
+    return of.left - of.right < std::numbers::pi - 1e-6;
+  };
+  for (bool grew = true; grew;) {
+    grew = false;
+    for (const Touch& t : touches)
+      for (const Stretch& s : t.facing) {
+        const auto lift = [&](BlockId from, BlockId into, const Vec2& push) {
+          if (stands[from.index()] == 0 || stands[into.index()] != 0 || !carries(into, push, s)) return;
+          stands[into.index()] = 1;
+          grew = true;
+        };
+        lift(t.a, t.b, s.normal);
+        lift(t.b, t.a, -s.normal);
+      }
+  }
+  return stands;
+}
+
 std::string group_text(const Model& model, const std::vector<BlockId>& blocks, bool held_elsewhere) {
   const Neighbour next = nearest_other(model, blocks);
   const std::string nearest = next.block.valid() ? fmt::format("; the nearest other one, '{}', is {:.3g} m away",
@@ -352,45 +394,31 @@ std::vector<std::string> rocking_warnings(const Model& model, const Plan& plan, 
   return {};
 }
 
+std::vector<std::string> hand_over_warnings(const Model& model, const Plan& plan) {
+  for (std::size_t k = 1; k < plan.stages.size(); ++k) {
+    const Stage &before = plan.stages[k - 1], &stage = plan.stages[k];
+    if (!dynamic(stage)) continue;
+    const std::vector<BodyRequest> had = body_requests(model, before), has = body_requests(model, stage);
+    std::vector<BlockId> blocks;
+    for (std::size_t i = 0; i < model.blocks.size(); ++i) {
+      const BlockId b{static_cast<std::int32_t>(i)};
+      const auto& absent = before.construction.absent;
+      const bool there = std::find(absent.begin(), absent.end(), b) == absent.end();
+      if (there && model.support_of(b) == nullptr && affine(had[i]) && !affine(has[i])) blocks.push_back(b);
+    }
+    if (blocks.empty()) continue;
+    return {fmt::format(
+        "stage '{}': {} {} from one cover or the DDA to a mesh of the NMM under load: stress and contact forces of an "
+        "affine block are not in balance in its mesh, and oscillate by a fifth or more in the first milliseconds, "
+        "which can break a joint near its limit; put a stage with this method and rest = true before",
+        stage.name, named_blocks(model, blocks), blocks.size() == 1 ? "passes" : "pass")};
+  }
+  return {};
+}
+
 std::vector<BlockId> stones_of_arches(const Model& model, const std::vector<Touch>& touches) {
   const std::size_t n = model.blocks.size();
-  std::vector<char> stands(n, 0);
-  for (const BlockSupport& s : model.block_supports) stands[s.block.index()] = 1;
-  for (const PointSupport& s : model.point_supports) stands[s.block.index()] = 1;
-  for (const EdgeSupport& s : model.edge_supports) stands[s.span.block.index()] = 1;
-  /// Angle of a push into a block from the upward direction, counter-clockwise [rad].
-  const auto turned = [up = Vec2(-weight_direction(model))](const Vec2& push) {
-    return up == Vec2::Zero() ? std::numbers::pi : std::atan2(cross(up, push), up.dot(push));
-  };
-  // A block stands where forces of standing blocks within their cones of friction can carry a weight: one of them, or
-  // two on either side of the vertical, as of a slope and of a block below on it. Smallest angles to either side:
-  struct Sides {
-    double left = std::numeric_limits<double>::infinity(), right = -std::numeric_limits<double>::infinity();
-  };
-  std::vector<Sides> sides(n);
-  const auto carries = [&](BlockId into, const Vec2& push, const Stretch& s) {
-    if (!s.law.valid()) return false;
-    const JointLaw& law = model.joints[s.law.index()];
-    if (law.cohesion > 0.0 || law.tensile_strength > 0.0) return true;
-    const double angle = turned(push), least = angle - law.friction, most = angle + law.friction;
-    Sides& of = sides[into.index()];
-    if (most >= 0.0) of.left = std::min(of.left, std::max(least, 0.0));
-    if (least <= 0.0) of.right = std::max(of.right, std::min(most, 0.0));
-    return of.left - of.right < std::numbers::pi - 1e-6;
-  };
-  for (bool grew = true; grew;) {
-    grew = false;
-    for (const Touch& t : touches)
-      for (const Stretch& s : t.facing) {
-        const auto lift = [&](BlockId from, BlockId into, const Vec2& push) {
-          if (stands[from.index()] == 0 || stands[into.index()] != 0 || !carries(into, push, s)) return;
-          stands[into.index()] = 1;
-          grew = true;
-        };
-        lift(t.a, t.b, s.normal);
-        lift(t.b, t.a, -s.normal);
-      }
-  }
+  const std::vector<char> stands = standing_blocks(model, touches);
   // Blocks that do not stand form connected groups; standing blocks may push a group from the left, the right, or both.
   std::vector<Touch> among;
   std::copy_if(touches.begin(), touches.end(), std::back_inserter(among), [&](const Touch& t) {
@@ -398,9 +426,9 @@ std::vector<BlockId> stones_of_arches(const Model& model, const std::vector<Touc
   });
   const Groups groups = groups_of(n, among);
   std::vector<std::array<bool, 2>> pushed(groups.blocks.size(), {false, false});
-  const auto push = [&](BlockId from, BlockId into, const Vec2& direction) {
+  const auto push = [&, weight = weight_direction(model)](BlockId from, BlockId into, const Vec2& direction) {
     if (stands[from.index()] == 0 || stands[into.index()] != 0) return;
-    const double angle = turned(direction);
+    const double angle = turned(weight, direction);
     if (std::abs(angle) > 0.5 * std::numbers::pi + 1e-6) return;  // from above
     pushed[static_cast<std::size_t>(groups.of[into.index()])][angle > 0.0 ? 0 : 1] = true;
   };
@@ -423,8 +451,8 @@ std::vector<std::string> plan_warnings(const Model& model, const Plan& plan) {
   std::vector<std::string> out = support_warnings(model, touches, plan.stages.front().construction.absent);
   for (const auto& more :
        {damping_warnings(model, plan), partition_warnings(model, plan), sliding_warnings(model, plan, touches),
-        arch_warnings(model, plan, touches), rocking_warnings(model, plan, touches), stiffness_warnings(model),
-        size_warnings(model), unit_warnings(model), lawless_warnings(model, touches)})
+        arch_warnings(model, plan, touches), rocking_warnings(model, plan, touches), hand_over_warnings(model, plan),
+        stiffness_warnings(model), size_warnings(model), unit_warnings(model), lawless_warnings(model, touches)})
     out.insert(out.end(), more.begin(), more.end());
   return out;
 }

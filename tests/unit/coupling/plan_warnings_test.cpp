@@ -264,6 +264,22 @@ TEST(Warnings, blocks_that_topple_on_soft_joints_of_the_nmm) {
   EXPECT_TRUE(warned(column(28.0, 20.0, "nmm")).empty());  // it slides
 }
 
+TEST(Warnings, affine_blocks_that_become_meshes_under_load) {
+  Scene scene(1e9, 0.2, 2600.0, 30.0);
+  scene.add("ground", rectangle(-1, -1, 3, 0), true);
+  scene.add("block", rectangle(0, 0, 2, 1));
+  scene.stage("dda", Integrator::implicit, 0.1, 1e-3).rest = true;
+  scene.stage("nmm", Integrator::explicit_, 0.1, {});
+  expect_one(scene, "stage 'nmm1': 'block' passes from one cover or the DDA to a mesh of the NMM under load");
+  Scene rested = scene, back = scene, onefold = scene, meshed = scene;
+  rested.plan.stages[1].rest = true;
+  rested.plan.stages.push_back(scene.plan.stages[1]);  // the mesh has come to rest before
+  std::swap(back.plan.stages[0].method, back.plan.stages[1].method);
+  onefold.plan.stages[1].rules.push_back({{BlockId{1}}, "nmm", 0.0, true, false});
+  meshed.plan.stages[0].method = "nmm";
+  for (const Scene& fine : {rested, back, onefold, meshed}) EXPECT_TRUE(warned(fine).empty());
+}
+
 TEST(Warnings, no_arch_in_a_notch) {
   Scene notch(5e9, 0.2, 2500.0, 10.0);
   notch.add("left", {{{-2, -1}, {0, 0}, {-1, 2}, {-2, 2}}, {}}, true);
