@@ -147,17 +147,16 @@ void ContactFinder::remember(std::size_t i, bool at_start, ContactList& out) con
   const bool divided = was != nullptr && was->segment < 0 && is_divided(p);
   fill(was, at_start, divided, p, m);
   if (was != nullptr || p.beside < 0) return;
-  // The joint is the same, and so is what slip has made of it: its friction, and its opening where it dilates.
   const ContactMemory& beside = known.memory[static_cast<std::size_t>(p.beside)];
-  m.failed = beside.failed;
-  m.slip = m.slip_known = beside.slip;
-  m.friction_change = beside.friction_change;
   if (beside.status == ContactStatus::open) return;
-  // A bond is that of two blocks: it does not pass to the next one.
+  // The joint is the same, and so is its friction. A bond is that of two blocks: it does not pass to the next one.
   if (std::minmax(beside.key.block_p, beside.key.block_e) == std::minmax(p.key.block_p, p.key.block_e))
     bond_like(beside, m);
   if (m.gap >= 0.0 && m.bonded == 0) return;
   m.status = ContactStatus::stick;
+  m.failed = beside.failed;
+  m.slip = m.slip_known = beside.slip;
+  m.friction_change = beside.friction_change;
   m.stretch = beside.stretch;
   m.anchor = p.at.xi - m.stretch / p.at.length;
 }

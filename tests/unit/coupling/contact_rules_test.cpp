@@ -243,30 +243,6 @@ TEST(ContactFinder, segment_below_a_vertex_is_the_same_from_wherever_it_was_befo
 
 /// A vertex between two edges in line faces one edge with both: its share is the sum of theirs, also where shares are
 /// updated without sorting the pairs again.
-/// A mesh slides over another one, a little above it, on a joint that has failed: the joint's rock is the same under
-/// the vertices that come over it.
-TEST(ContactFinder, new_point_takes_over_failure_and_slip_of_an_open_one_beside_it) {
-  Two two(rectangle(-3, -1, 4, 0), rectangle(0.1, 0, 1.6, 1), "nmm");
-  ContactList known = two.at({0.0, 0.001});
-  for (ContactMemory& m : known.memory) {
-    m.failed = 1;
-    m.slip = 0.01;
-    m.friction_change = -0.1;
-  }
-  const ContactList now = two.at({0.7, 0.001}, known);
-  int made = 0;
-  for (std::size_t i = 0; i < now.points.size(); ++i) {
-    const ContactMemory& m = now.memory[i];
-    made += now.points[i].from < 0 && now.points[i].edge_edge ? 1 : 0;
-    EXPECT_EQ(m.status, ContactStatus::open);
-    if (!now.points[i].edge_edge) continue;
-    EXPECT_EQ(m.failed, 1) << i;
-    EXPECT_EQ(m.slip, 0.01) << i;
-    EXPECT_EQ(m.friction_change, -0.1) << i;
-  }
-  EXPECT_GT(made, 0);
-}
-
 TEST(ContactPairs, share_of_a_vertex_between_two_edges_in_line_is_that_of_both) {
   Two two(rectangle(-2, -1, 4, 0), {{{0, 0}, {0.6, 0}, {1, 0}, {1, 1}, {0, 1}}, {}});
   const Outlines& o = two.hand->setup->outlines();
