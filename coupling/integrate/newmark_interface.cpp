@@ -8,6 +8,7 @@ namespace scree::coupling {
 void Newmark::begin_interface_iteration(const State& state, double h) {
   // The iteration starts from the motion of the last step. Where interface constraints act it starts from rest: gaps
   // that are left at the constraints add up over the steps, and iterations from a farther start end with smaller ones.
+  // For the same reason they do not use the iterates of earlier steps: errors in the halves' gaps would be continued.
   const bool goes_on = !interface_.constrained();
   acceleration_.resize(d_.size());
   system_.accelerations(state.q, state.a, acceleration_);
@@ -20,7 +21,7 @@ void Newmark::begin_interface_iteration(const State& state, double h) {
     for (std::size_t i = 0; i < d_.size(); ++i)
       d_[i] += start_.part[0] * start_.lacked[0][i] + start_.part[1] * start_.lacked[1][i];
   move_to_iterate(state);
-  interface_.begin(iterate(state), !renewed_);
+  interface_.begin(iterate(state), goes_on && !renewed_);
   if (!system_.nonlinear()) return;
   if (goes_on)
     (void)system_.linearise(q_new_, Stiffness::exact, false, {}, force_);

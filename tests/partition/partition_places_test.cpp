@@ -146,6 +146,16 @@ bool run_anything(const Scene& scene, double& closure) {
   return true;
 }
 
+/// Three of the random regions in which blocks flew apart while their iterations used iterates of earlier steps.
+TEST(PartitionPlaces, halves_of_a_block_stay_together_step_after_step) {
+  for (const std::uint64_t seed : {6U, 29U, 58U}) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    std::mt19937_64 random(seed);
+    double closure = 0.0;
+    EXPECT_TRUE(run_anything(anything(random), closure));
+  }
+}
+
 TEST(PartitionPlaces, random_regions_run_and_close) {
   // Number of partitions: 100 with SCREE_FULL=1, or the value of SCREE_PARTITIONS.
   const char* asked = std::getenv("SCREE_PARTITIONS");
