@@ -14,8 +14,8 @@ bool computes(std::string_view command) {
 void let_threads_sleep(char** argv) {
   constexpr const char* kSpins = "GOMP_SPINCOUNT";
   if (std::getenv("OMP_WAIT_POLICY") != nullptr || std::getenv(kSpins) != nullptr) return;
-  // A BLAS with threads of its own starts them before main, and they spin for 25 ms each until they sleep. Scree calls it
-  // on one thread at a time.
+  // A BLAS with threads of its own starts them before main, and they spin for 25 ms each until they sleep. Scree calls
+  // it on one thread at a time.
   if (::setenv(kSpins, "3000", 0) == 0 && ::setenv("OPENBLAS_NUM_THREADS", "1", 1) == 0)
     ::execv("/proc/self/exe", argv);
 }
