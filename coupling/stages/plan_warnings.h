@@ -43,8 +43,8 @@ struct SlidingNeeds {
 /// Blocks whose stresses are not in balance where a stage begins to move them: affine before, a mesh now.
 [[nodiscard]] std::vector<std::string> hand_over_warnings(const Model& model, const Plan& plan);
 
-/// Free blocks that only the thrust of their neighbours can carry, from both sides, as the stones of an arch: no chain
-/// of joints that are less steep than their friction leads from them down to a held block.
+/// Free blocks that only the thrust of their neighbours can carry, from both sides, as the stones of an arch: they do
+/// not stand on joints that are less steep than their friction, nor between two blocks that stand.
 [[nodiscard]] std::vector<BlockId> stones_of_arches(const Model& model, const std::vector<Touch>& touches);
 
 /// "'a', 'b' and 3 more".

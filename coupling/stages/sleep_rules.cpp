@@ -16,8 +16,7 @@ namespace {
 constexpr double kReach = 2.0;      // in detection distances: a step moves a point by at most half of one
 constexpr double kNoStrain = 1e-9;  // energies of smaller strains count as none
 constexpr double kNowhere = 1e300;  // [m]
-constexpr double kStill =
-    1e-12;  // [m/s]: the end of a recorded motion leaves round-off of the sum of its accelerations
+constexpr double kStill = 1e-12;    // [m/s]: the sum of a record's accelerations ends at round-off, not at 0
 
 bool overlap(const Box& a, const Box& b) {
   return (a.lo.array() <= b.hi.array()).all() && (b.lo.array() <= a.hi.array()).all();
