@@ -35,14 +35,23 @@ code=0
 "$scree" cases verify --jobs 0 sdof >/dev/null 2>"$out/usage.txt" || code=$?
 [ $code = 2 ] || fail "exit code $code for no jobs"
 
-# SIGTERM ends the command and all its runs.
-"$scree" cases verify compound-surface tunnels-staged --jobs 2 >/dev/null 2>&1 &
+# SIGTERM ends the command and all its runs, which last too long to end by themselves.
+for name in long longer; do
+  cp -r "$source/cases/compound-surface" "$out/cases/$name"
+  sed -i -e 's/^duration = 6.0/duration = 1e5/' -e '/^max_displacement/d' "$out/cases/$name/case.toml"
+done
+"$scree" cases verify long longer --jobs 2 >/dev/null 2>&1 &
 pid=$!
-sleep 0.5
+for _ in $(seq 600); do
+  [ "$(pgrep -c -P $pid)" != 2 ] || break
+  sleep 0.05
+done
+sleep 0.3  # both compute
+[ "$(pgrep -c -P $pid)" = 2 ] || fail "the cases ended before they were asked to"
 kill -TERM $pid
 code=0
 wait $pid || code=$?
 [ $code = 130 ] || fail "exit code $code when it was asked to end"
 [ -z "$(ls -A "$out/tmp")" ] || fail "temporary files are left when it is asked to end"
-! pgrep -P $pid >/dev/null || fail "cases go on"
+! pgrep -f "$out" >/dev/null || fail "cases go on"
 echo "verify_jobs: ok"
