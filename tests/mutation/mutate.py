@@ -84,6 +84,9 @@ class Mutant:
         found = list(re.finditer(f"{pattern(before)}({pattern(marked)}){pattern(after)}", text))
         if len(found) != 1:
             raise ValueError(f"its text is in {self.file} {len(found)} times")
+        begin = found[0].start(1)
+        if re.match(r"\s*(static |inline )*constexpr [^({]*=", text[text.rfind("\n", 0, begin) + 1:begin]):
+            raise ValueError("it marks a constant expression; mark where that is used")
         return found[0].span(1)
 
 
