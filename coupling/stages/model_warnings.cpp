@@ -99,6 +99,23 @@ std::vector<std::string> unit_warnings(const Model& model) {
   return out;
 }
 
+std::vector<std::string> weight_warnings(const Model& model) {
+  constexpr double kSame = 0.02;  // of gravity: 9.81 and 9.8 m/s2 are meant as the same
+  const Vec2 g = model.gravity;
+  std::vector<std::string> out;
+  for (const BodyAcceleration& b : model.body_accelerations) {
+    using Shape = TimeFunction::Shape;
+    const Shape shape = b.function.valid() ? model.functions[b.function.index()].shape : Shape::constant;
+    const bool lasts = shape == Shape::constant || shape == Shape::ramp;
+    if (!lasts || g.norm() == 0.0 || (b.acceleration - g).norm() > kSame * g.norm()) continue;
+    out.push_back(
+        fmt::format("a body acceleration of ({:g}, {:g}) m/s2 acts in addition to gravity, which is about the same: {} "
+                    "weigh twice as much; with [model] gravity = [0, 0] it takes gravity's place",
+                    b.acceleration.x(), b.acceleration.y(), b.blocks.empty() ? "all blocks" : "its blocks"));
+  }
+  return out;
+}
+
 std::vector<std::string> lawless_warnings(const Model& model, const std::vector<Touch>& touches) {
   const bool smooth = model.joints.size() == 1 && model.joints.front().name == "smooth" &&
                       model.joints.front().friction == 0.0 && model.joints.front().cohesion == 0.0;

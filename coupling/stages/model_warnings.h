@@ -24,6 +24,9 @@ inline constexpr double kFarStiffness = 1e6, kFarSizes = 1e3;
 /// Materials of blocks whose density or modulus no rock has: most often a number in another unit.
 [[nodiscard]] std::vector<std::string> unit_warnings(const Model& model);
 
+/// Lasting accelerations of blocks that equal gravity: it acts on all blocks by default, and they would weigh twice.
+[[nodiscard]] std::vector<std::string> weight_warnings(const Model& model);
+
 /// Blocks that touch in a model whose case has no joint law: their faces are smooth. (Several laws without a default
 /// are refused when the case is read.)
 [[nodiscard]] std::vector<std::string> lawless_warnings(const Model& model, const std::vector<Touch>& touches);

@@ -452,7 +452,8 @@ std::vector<std::string> plan_warnings(const Model& model, const Plan& plan) {
   for (const auto& more :
        {damping_warnings(model, plan), partition_warnings(model, plan), sliding_warnings(model, plan, touches),
         arch_warnings(model, plan, touches), rocking_warnings(model, plan, touches), hand_over_warnings(model, plan),
-        stiffness_warnings(model), size_warnings(model), unit_warnings(model), lawless_warnings(model, touches)})
+        stiffness_warnings(model), size_warnings(model), unit_warnings(model), weight_warnings(model),
+        lawless_warnings(model, touches)})
     out.insert(out.end(), more.begin(), more.end());
   return out;
 }

@@ -62,6 +62,35 @@ TEST(ModelWarnings, numbers_in_another_unit_are_told) {
   EXPECT_EQ(std::count(all.begin(), all.end(), unit_warnings(scene.model)[0]), 1);
 }
 
+TEST(ModelWarnings, gravity_that_is_given_twice_is_told) {
+  Scene scene;
+  scene.add("block", rectangle(0, 0, 2, 2));
+  scene.stage("dda", Integrator::explicit_, 1.0, std::nullopt);
+  Model& model = scene.model;
+  const auto told = [&] { return weight_warnings(model); };
+  for (const Vec2& other : {Vec2(0.0, 9.81), Vec2(0.0, -4.9), Vec2(-9.81, 0.0)}) {
+    model.body_accelerations = {{{}, other, {}}};
+    EXPECT_TRUE(told().empty()) << other.transpose();
+  }
+  model.body_accelerations = {{{}, Vec2(0.0, -9.8), {}}};
+  ASSERT_EQ(told().size(), 1u);
+  EXPECT_NE(told()[0].find("(0, -9.8) m/s2 acts in addition to gravity"), std::string::npos) << told()[0];
+  const auto all = plan_warnings(model, scene.plan);
+  EXPECT_EQ(std::count(all.begin(), all.end(), told()[0]), 1);
+  TimeFunction f;
+  f.duration = 0.1;
+  model.body_accelerations[0].function = FunctionId{static_cast<std::int32_t>(model.functions.size())};
+  model.functions.push_back(f);
+  for (const auto& [shape, doubles] :
+       {std::pair(TimeFunction::Shape::ramp, true), std::pair(TimeFunction::Shape::sine, false)}) {
+    model.functions.back().shape = shape;  // shaking by 1 g does not double the weight
+    EXPECT_EQ(told().size(), doubles ? 1u : 0u);
+  }
+  model.functions.back().shape = TimeFunction::Shape::ramp;
+  model.gravity.setZero();
+  EXPECT_TRUE(told().empty());
+}
+
 TEST(ModelWarnings, faces_without_any_law_are_told) {
   Scene scene;
   scene.add("base", rectangle(0, 0, 4, 1), true);
