@@ -1,4 +1,5 @@
 // Implicit steps with an interface force: the first guess of their iteration, and the tangent that they keep.
+#include <Eigen/LU>
 #include <algorithm>
 
 #include "coupling/integrate/newmark.h"

@@ -1,4 +1,5 @@
-"""Checks which folder includes and links which:  app -> io -> coupling -> {nmm, dda} -> model; the rooms of coupling; no circle of folders.
+"""Checks which folder includes and links which:  app -> io -> coupling -> {nmm, dda} -> model; the rooms of coupling; no circle of folders; and whether sources include <Eigen/LU>
+where they need it.
 
 usage: check_arrows.py ROOT     exit code 0: all as allowed; 1: violations, one a line; 2: nothing to check
 """
@@ -103,6 +104,18 @@ def room_violations(root):
     return found
 
 
+def missing_definitions(root):
+    """Sources that call functions of Eigen which <Eigen/LU> defines and <Eigen/Core> only declares: they link only where
+    another source of the same unit includes it (cmake/unity.cmake)."""
+    found = []
+    for layer in [*ALLOWED, "tests"]:
+        for file in sorted((root / layer).rglob("*.cpp")):
+            text = file.read_text(encoding="utf-8", errors="replace")
+            if re.search(r"\.(inverse|determinant)\(\)", text) and not re.search(r"<Eigen/(LU|Dense)>", text):
+                found.append(f"{file.relative_to(root)}: calls inverse() or determinant() and does not include <Eigen/LU>")
+    return found
+
+
 def circles(root):
     """Folders that include each other, directly or indirectly: tuples of their names."""
     to = {}
@@ -148,7 +161,7 @@ def main():
     if not includes:
         print(f"no includes in {root}: not the top of the project?", file=sys.stderr)
         return 2
-    found += link_violations(root) + room_violations(root)
+    found += link_violations(root) + room_violations(root) + missing_definitions(root)
     if not found:  # a forbidden include is reported by itself
         found += ["folders that include each other: " + ", ".join(circle) for circle in circles(root)]
     print(*found, sep="\n", end="\n" if found else "")

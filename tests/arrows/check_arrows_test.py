@@ -77,6 +77,13 @@ class CheckArrows(unittest.TestCase):
         folders = {f"io/{p.parent.name}" for p in (self.root / "io").glob("*/*") if p.suffix in {".h", ".cpp"}}
         self.assertEqual(folders, set(FORBIDDEN_INSIDE))
 
+    def test_missing_definition_of_eigen_is_named(self):
+        planted = self.root / "nmm/planted.cpp"
+        planted.write_text("#include <Eigen/Core>\nEigen::Matrix2d of(Eigen::Matrix2d m) { return m.inverse(); }\n")
+        self.assertEqual(self.check(), (1, ["nmm/planted.cpp: calls inverse() or determinant() and does not include <Eigen/LU>"]))
+        planted.write_text(planted.read_text().replace("Core", "LU"))
+        self.assertEqual(self.check(), (0, []))
+
     def test_include_by_relative_path_is_named(self):
         (self.root / "nmm/target.h").write_text("")
         (self.root / "dda/planted.cpp").write_text('#include "../nmm/target.h"\n')

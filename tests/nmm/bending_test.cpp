@@ -1,6 +1,7 @@
 // Bending frequencies of a free-free bar against Timoshenko's beam, and their order of convergence.
 #include <gtest/gtest.h>
 
+#include <Eigen/LU>
 #include <cmath>
 #include <cstdio>
 #include <numbers>

@@ -1,6 +1,7 @@
 // Small cuts must not shorten the time step (docs/theory/kinematics-and-nmm.md, "Ties"): 1000 random placements.
 #include <gtest/gtest.h>
 
+#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
