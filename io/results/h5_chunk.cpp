@@ -6,7 +6,7 @@ namespace scree::io::h5 {
 
 void ChunkPacker::Free::operator()(isal_zstream* stream) const { delete stream; }
 
-ChunkPacker::ChunkPacker() : stream_(new isal_zstream), tables_(ISAL_DEF_LVL1_DEFAULT) {}
+ChunkPacker::ChunkPacker() : stream_(new isal_zstream()), tables_(ISAL_DEF_LVL1_DEFAULT) {}
 
 ChunkPacker::Packed ChunkPacker::pack(std::span<const unsigned char> bytes, std::size_t number) {
   const std::size_t count = bytes.size() / number;
