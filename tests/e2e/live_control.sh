@@ -72,7 +72,7 @@ code=$?
 [ $code = 2 ] && [ ! -e "$work/usage" ] || fail "--control with a log: $code: $(cat "$work/err.txt")"
 
 # --- an undisturbed run, and one that is paused repeatedly
-duration=40  # several seconds of computing, and more: time to be found, stopped and found again
+duration=100  # several seconds of computing, and more: time to be found, stopped and found again
 "$scree" run "$case_file" --quiet --set stage.runout.duration=$duration --out "$work/alone" || fail "the run left alone"
 begin held --control --set stage.runout.duration=$duration
 expect 0 'pause done, paused' two_stages pause

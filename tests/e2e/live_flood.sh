@@ -15,6 +15,8 @@ scree=$1 here=$(dirname "$0")
 case_file=$here/live/two_stages.toml
 count=2000
 [ "${SCREE_FULL:-}" = 1 ] && count=100000
+# It lasts some seconds: long enough to be found and paused.
+long=(--set stage.runout.duration=16 --set stage.runout.dt=1e-5)
 work=$(mktemp -d)
 run=
 viewer=
@@ -31,7 +33,7 @@ ask() {
 
 python3 "$here/live/terminal.py" "$scree" watch --timeout 20 > "$work/watch.txt" 2> "$work/watch.err" &
 viewer=$!
-"$scree" run "$case_file" --quiet --live --name two_stages --control --set stage.runout.duration=16 --out "$work/run" > "$work/run.out" 2> "$work/run.err" &
+"$scree" run "$case_file" --quiet --live --name two_stages --control "${long[@]}" --out "$work/run" > "$work/run.out" 2> "$work/run.err" &
 run=$!
 ask pause  # it waits here for the end of the flood
 ask step 20
@@ -54,7 +56,7 @@ malformed=$(sed -nE 's/.* ([0-9]+) malformed.*/\1/p' <<< "$foot")
 # One datagram in twelve is a valid chunk sent again, and a part of the forged ones differs in numbers only.
 [ "${malformed:-0}" -ge $((count / 4)) ] || fail "the viewer counted ${malformed:-0} of $count: $foot"
 grep 'control: .* messages' "$work/run/run.log" || fail "the run counted nothing"
-"$scree" run "$case_file" --quiet --set stage.runout.duration=16 --out "$work/alone" || fail "the run left alone"
+"$scree" run "$case_file" --quiet "${long[@]}" --out "$work/alone" || fail "the run left alone"
 [ "$(hash "$work/run")" = "$(hash "$work/alone")" ] || fail "the flood changed the state"
 ! grep -q Sanitizer "$work/run.err" "$work/watch.txt" || fail "a sanitizer: $(cat "$work/run.err" "$work/watch.txt")"
 echo "ok: $count datagrams; $foot"

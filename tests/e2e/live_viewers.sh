@@ -13,7 +13,7 @@ ip route add 224.0.0.0/4 dev lo || skip "no multicast route on the loopback inte
 
 scree=$1 here=$(dirname "$0")
 # It lasts some seconds: long enough to be found and paused.
-case=("$here/live/two_stages.toml" --set stage.runout.duration=16)
+case=("$here/live/two_stages.toml" --set stage.runout.duration=16 --set stage.runout.dt=1e-5)
 reader=$here/../../docs/examples/read_live.py
 work=$(mktemp -d)
 pids=()
