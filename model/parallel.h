@@ -4,6 +4,7 @@
 
 #include <omp.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <vector>
 
@@ -58,6 +59,19 @@ double parallel_sum(std::int64_t n, std::vector<double>& partial, Chunk&& chunk)
   double sum = 0.0;
   for (double p : partial) sum += p;
   return sum;
+}
+
+/// The largest of(i) for i in [0, n), at least 0: the same for any number of threads, as no number is rounded.
+template <class Of>
+double parallel_largest(std::int64_t n, Of&& of, std::int64_t serial_below = kSerialBelow) {
+  double out = 0.0;
+  if (n < serial_below) {
+    for (std::int64_t i = 0; i < n; ++i) out = std::max(out, of(i));
+    return out;
+  }
+#pragma omp parallel for schedule(static) reduction(max : out)
+  for (std::int64_t i = 0; i < n; ++i) out = std::max(out, of(i));
+  return out;
 }
 
 }  // namespace scree

@@ -516,7 +516,7 @@ void ExplicitContact::complete_point(double h, std::size_t i, const Left& left, 
   ContactMemory& m = list_->memory[i];
   const Rates rates = respond(h, i, *list_);
   const double slip = slip_in_step(i, left);
-  if (slip != 0.0 || m.slide.length > 0.0F) chunk.slides.push_back({static_cast<std::int32_t>(i), slip});
+  if (FrictionCheck::slides(slip, m)) chunk.slides.push_back({static_cast<std::int32_t>(i), slip});
   const Half arriving = half_work(h, p, m, v_, rates);
   if (p.from >= 0)
     book_pair(left, i, arriving, chunk.ledger);

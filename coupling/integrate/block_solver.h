@@ -14,7 +14,6 @@ struct BlockSolver {
   explicit BlockSolver(const ImplicitSystem& of) : system(of) {}
   BlockSystem system;
   BlockIlu factor;
-  std::vector<PointTangent> tangents;  // of the points in their present states
   std::vector<double> first_guess;     // of the unknowns in a pass
   bool acts = false;                   // this step is solved by blocks
   bool fell_back = false;              // this step began by blocks and changed to a complete factor

@@ -16,7 +16,7 @@ void add_products(const DoubleColumn& u, const double* v, const DoubleColumn& w,
   }
 }
 
-constexpr std::int64_t kFewBodies = 3000;  // below it loops over bodies run on one thread
+constexpr std::int64_t kFewBodies = 1000;  // below it loops over bodies run on one thread
 
 /// True if a row has all unknowns of its bodies, at most two.
 bool couples_pair(const DofRow& row) {
@@ -83,17 +83,18 @@ void BlockSystem::find_incidences() {
   }
 }
 
-void BlockSystem::assemble(std::span<const double> A, bool fresh, std::span<const double> k,
-                           std::span<const PointTangent> points) {
+bool BlockSystem::begin_assembly(std::span<const double> A, bool fresh, std::span<const double> k,
+                                 std::size_t points) {
   const auto bodies = static_cast<std::size_t>(matrix_.rows());
-  if (fresh || k_.size() != k.size() || tangent_.size() != points.size() || changed_.size() != bodies) {
-    changed_.assign(bodies, 1);
-    tangent_.assign(points.begin(), points.end());
-  }
-  for (std::size_t i = 0; i < points.size(); ++i)
-    if (!(tangent_[i] == points[i])) set(i, points[i]);
+  const bool all = fresh || k_.size() != k.size() || tangent_.size() != points || changed_.size() != bodies;
+  if (all) changed_.assign(bodies, 1);
+  tangent_.resize(points);
   k_.assign(k.begin(), k.end());  // springs stay as they are during a step
   A_ = A;
+  return all;
+}
+
+void BlockSystem::end_assembly() {
   parallel_for(
       matrix_.rows(), [this](std::int64_t b) { refresh(static_cast<std::int32_t>(b)); }, kFewBodies);
 }
@@ -202,16 +203,32 @@ void BlockSystem::multiply(std::span<const double> x, std::span<double> y) {
     subtract_own(static_cast<std::int32_t>(at), x, of_A);
     DoubleColumn sum(of_A);
     sum.scale(-1.0);
-    for (const Incidence& i : incidences(static_cast<std::int32_t>(at))) {
-      const auto unit = static_cast<std::size_t>(i.unit);
-      const std::size_t row = unit < springs_ ? unit : springs_ + 2 * (unit - springs_);
-      if (force_[row] != 0.0) sum.add(force_[row], coefficients(row, i.own));
-      if (unit >= springs_ && force_[row + 1] != 0.0) sum.add(force_[row + 1], coefficients(row + 1, i.own));
-    }
+    add_forces(static_cast<std::int32_t>(at), force_, sum);
     sum.store(&y[kBlockSide * b]);
   };
   parallel_for(static_cast<std::int64_t>(bodies_.size()), of_unit, kFewPoints);
   parallel_for(matrix_.rows(), of_body, kFewBodies);
+}
+
+void BlockSystem::add_forces(std::int32_t body, std::span<const double> force, DoubleColumn& sum) const {
+  for (const Incidence& i : incidences(body)) {
+    const auto unit = static_cast<std::size_t>(i.unit);
+    const std::size_t row = unit < springs_ ? unit : springs_ + 2 * (unit - springs_);
+    if (force[row] != 0.0) sum.add(force[row], coefficients(row, i.own));
+    if (unit >= springs_ && force[row + 1] != 0.0) sum.add(force[row + 1], coefficients(row + 1, i.own));
+  }
+}
+
+void BlockSystem::add_forces(std::span<const double> force, std::span<double> out) const {
+  parallel_for(
+      matrix_.rows(),
+      [&](std::int64_t b) {
+        double* of_body = &out[kBlockSide * static_cast<std::size_t>(b)];
+        DoubleColumn sum(of_body);
+        add_forces(static_cast<std::int32_t>(b), force, sum);
+        sum.store(of_body);
+      },
+      kFewBodies);
 }
 
 }  // namespace scree::coupling

@@ -1,6 +1,7 @@
 // The linear system of an open-close pass where every free body is affine: blocks of 6 x 6.
 #pragma once
 
+#include <atomic>
 #include <span>
 #include <vector>
 
@@ -8,6 +9,7 @@
 #include "coupling/linear/block_matrix.h"
 #include "coupling/linear/dof_rows.h"
 #include "coupling/unknowns/implicit_system.h"
+#include "model/parallel.h"
 
 namespace scree::coupling {
 
@@ -36,8 +38,26 @@ class BlockSystem {
   [[nodiscard]] bool begin(const DofRows& rows, std::size_t springs);
   /// Sums the matrix.
   /// @param A       on the pattern of the system   @param fresh  A has changed since the last call
-  /// @param k       of the springs, constant during a step [N/m]   @param points  tangents of the points
-  void assemble(std::span<const double> A, bool fresh, std::span<const double> k, std::span<const PointTangent> points);
+  /// @param k       of the springs, constant during a step [N/m]
+  /// @param points  number of them   @param tangent  tangent(i): of point i, called on threads
+  template <class Tangent>
+  void assemble(std::span<const double> A, bool fresh, std::span<const double> k, std::size_t points,
+                Tangent&& tangent) {
+    const bool all = begin_assembly(A, fresh, k, points);
+    parallel_for(
+        static_cast<std::int64_t>(points),
+        [&](std::int64_t at) {
+          const auto i = static_cast<std::size_t>(at);
+          const PointTangent is = tangent(i);
+          if (!all && tangent_[i] == is) return;
+          tangent_[i] = is;
+          if (all) return;
+          for (const std::int32_t b : bodies_of(i))
+            if (b >= 0) std::atomic_ref(changed_[static_cast<std::size_t>(b)]).store(1, std::memory_order_relaxed);
+        },
+        kFewPoints);
+    end_assembly();
+  }
   /// Changes one point; its bodies' rows are summed again by the next assemble() or refresh().
   void set(std::size_t point, const PointTangent& tangent);
   /// Sums the row of a body if a point of it has changed.
@@ -46,6 +66,8 @@ class BlockSystem {
   /// y = (A + springs + points) x from the rows themselves, with the values last assembled: elongations first, then
   /// the forces of every body in the order of its rows.
   void multiply(std::span<const double> x, std::span<double> y);
+  /// out += the forces of all rows: of a body in the order of its rows.   @param force  of every row [N]
+  void add_forces(std::span<const double> force, std::span<double> out) const;
 
   /// The two bodies of a point; -1: held, or driven.
   [[nodiscard]] const BlockMatrix::Pair& bodies_of(std::size_t point) const { return bodies_[springs_ + point]; }
@@ -72,6 +94,12 @@ class BlockSystem {
 
  private:
   void find_incidences();
+  /// @return true: every row is to be summed
+  [[nodiscard]] bool begin_assembly(std::span<const double> A, bool fresh, std::span<const double> k,
+                                    std::size_t points);
+  void end_assembly();
+  /// sum += the forces of all rows on a body.
+  void add_forces(std::int32_t body, std::span<const double> force, DoubleColumn& sum) const;
   void sum_row(std::int32_t body);
   /// Coefficients of one of the bodies of a row.   @param own  Incidence::own
   [[nodiscard]] DoubleColumn coefficients(std::size_t row, std::int32_t own) const {

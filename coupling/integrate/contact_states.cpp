@@ -283,11 +283,27 @@ ContactStates::ProposedState ContactStates::proposed_state(std::size_t i) const 
   return w;
 }
 
-void ContactStates::propose(std::size_t i) {
+void ContactStates::propose(std::size_t i, Proposals& out) const {
   const ContactTrial& t = trial_[i];
   const ProposedState w = proposed_state(i);
   const bool other = w.status != t.status || w.opens != t.opens || w.slack != t.slack;
-  if (other && w.violation > tolerance(i)) proposed_.emplace_back(i, w);
+  if (other && w.violation > tolerance(i)) out.emplace_back(i, w);
+}
+
+template <class May>
+void ContactStates::propose_all(May&& may) {
+  by_chunk_.resize((trial_.size() + kChunk - 1) / kChunk);
+  parallel_for_chunks(
+      std::ssize(trial_),
+      [&](std::int64_t begin, std::int64_t end) {
+        Proposals& out = by_chunk_[static_cast<std::size_t>(begin / kChunk)];
+        out.clear();
+        for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i)
+          if (may(i)) propose(i, out);
+      },
+      kFewPoints);
+  proposed_.clear();
+  for (const Proposals& of_chunk : by_chunk_) proposed_.insert(proposed_.end(), of_chunk.begin(), of_chunk.end());
 }
 
 void ContactStates::adopt(std::size_t i, const ProposedState& w) {
@@ -298,16 +314,11 @@ void ContactStates::adopt(std::size_t i, const ProposedState& w) {
   t.slack = w.slack && w.status != ContactStatus::open;
 }
 
-void ContactStates::find_largest_force() {
-  largest_force_ = 0.0;
-  for (const ContactTrial& t : trial_) largest_force_ = std::max(largest_force_, std::abs(t.fn));
-}
-
 int ContactStates::change(bool only_worst) {
-  find_largest_force();
-  proposed_.clear();
-  for (std::size_t i = 0; i < trial_.size(); ++i)
-    if (!list_->points[i].suppressed) propose(i);
+  largest_force_ = parallel_largest(
+      std::ssize(trial_), [this](std::int64_t i) { return std::abs(trial_[static_cast<std::size_t>(i)].fn); },
+      kFewPoints);
+  propose_all([this](std::size_t i) { return !list_->points[i].suppressed; });
   const auto bodies_of = [&](std::size_t i) {
     const auto& node = list_->points[i].node;
     const auto& body = setup_->outlines().node_body;
@@ -337,7 +348,7 @@ int ContactStates::change(bool only_worst) {
 
 bool ContactStates::change_among(std::span<const std::size_t> points, bool only_worst) {
   proposed_.clear();
-  for (const std::size_t i : points) propose(i);
+  for (const std::size_t i : points) propose(i, proposed_);
   if (proposed_.empty()) return false;
   if (only_worst) {
     const auto worst = std::max_element(proposed_.begin(), proposed_.end(), [](const auto& a, const auto& b) {
@@ -359,11 +370,10 @@ int ContactStates::close(std::span<const double> d) {
     if (may(i)) evaluate_point(i, d);
   };
   parallel_for(std::ssize(trial_), evaluate_open, kFewPoints);
-  largest_force_ = 0.0;  // as the step begins
-  for (const ContactMemory& m : list_->memory) largest_force_ = std::max(largest_force_, std::abs(m.fn));
-  proposed_.clear();
-  for (std::size_t i = 0; i < trial_.size(); ++i)
-    if (may(i)) propose(i);
+  largest_force_ = parallel_largest(  // as the step begins
+      std::ssize(trial_), [this](std::int64_t i) { return std::abs(list_->memory[static_cast<std::size_t>(i)].fn); },
+      kFewPoints);
+  propose_all(may);
   for (const auto& [i, w] : proposed_) adopt(i, w);
   return static_cast<int>(proposed_.size());
 }
@@ -374,8 +384,11 @@ char ContactStates::letter(const ContactTrial& t) {
 }
 
 std::size_t ContactStates::hash() {
-  letters_.clear();
-  for (const ContactTrial& t : trial_) letters_.push_back(letter(t));
+  letters_.resize(trial_.size());
+  parallel_for(
+      std::ssize(trial_),
+      [this](std::int64_t i) { letters_[static_cast<std::size_t>(i)] = letter(trial_[static_cast<std::size_t>(i)]); },
+      kFewPoints);
   return std::hash<std::string>{}(letters_);
 }
 

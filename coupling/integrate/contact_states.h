@@ -121,10 +121,13 @@ class ContactStates {
   [[nodiscard]] bool rides(std::size_t i, ProposedState& w) const;
   [[nodiscard]] ProposedState proposed_state(std::size_t i) const;
   [[nodiscard]] ProposedState proposed_of_open(std::size_t i) const;
-  /// Lists a point in proposed_ if it is to change.
-  void propose(std::size_t i);
+  using Proposals = std::vector<std::pair<std::size_t, ProposedState>>;
+  /// Lists a point in `out` if it is to change.
+  void propose(std::size_t i, Proposals& out) const;
+  /// Finds proposed_ among the points that `may` is true for, in their order.
+  template <class May>
+  void propose_all(May&& may);
   void adopt(std::size_t i, const ProposedState& w);
-  void find_largest_force();
   /// A character for the state of a point.
   [[nodiscard]] static char letter(const ContactTrial& t);
 
@@ -136,9 +139,10 @@ class ContactStates {
   std::vector<ContactTrial> trial_;
   std::vector<Strength> strength_;                               // of the points
   std::vector<double> weight_;                                   // of the lighter free body at a point [N]
-  double largest_force_ = 0.0;                                   // of the points' normal forces in a pass [N]
-  double gap_round_off_ = 0.0;                                   // of a gap, from that of positions [m]
-  std::vector<std::pair<std::size_t, ProposedState>> proposed_;  // of points that change in a pass
+  double largest_force_ = 0.0;      // of the points' normal forces in a pass [N]
+  double gap_round_off_ = 0.0;      // of a gap, from that of positions [m]
+  Proposals proposed_;              // of points that change in a pass
+  std::vector<Proposals> by_chunk_;  // scratch: the same, of every chunk of points
   IndexedVector<BodyIndex, double> worst_;                       // per body: largest violation of its points [N]
   std::vector<std::size_t> changed_;
   std::string letters_;

@@ -12,6 +12,7 @@
 #include "coupling/integrate/load_vectors.h"
 #include "coupling/integrate/lost_state.h"
 #include "coupling/integrate/open_close.h"
+#include "coupling/integrate/point_books.h"
 #include "coupling/integrate/point_springs.h"
 #include "coupling/integrate/sliding_damping.h"
 #include "coupling/integrate/stack_damping.h"
@@ -30,8 +31,7 @@ struct ImplicitOptions {
   bool damp_rigid_motion = false;  // it acts on the whole velocity, not only on its non-affine part
   double stiffness_damping = 0.0;  // [s]
   double sliding_damping = 0.0;    // of the deformation of sliding blocks, a fraction of critical
-  double together =
-      1e-9;  // tolerance of the interface iteration: largest residual force, as a fraction of the largest force
+  double together = 1e-9;  // of the interface iteration: largest residual force over the largest force
   OpenClose::Factor factor = OpenClose::Factor::chosen;
 };
 
@@ -180,11 +180,11 @@ class Newmark final : public TimeIntegrator {
   void book_springs(Ledger& ledger, Energies& after) const;
   void book_contact(std::size_t i, Ledger::Booking& booking) const;
   /// Sets the memory of point i to the end of the step, before its geometry is updated.
-  void remember_contact(std::size_t i, const State& state);
-  /// book_contact() and remember_contact() of all points.
+  void remember_contact(std::size_t i, const State& state, PointBooks::Chunk& chunk);
   void leave_contacts(State& state);
-  /// Moves the contact points to new positions: in place where possible, with bitwise the same result.
-  void move_points(std::span<const double> q);
+  /// Moves the contact points to new positions.   @return true: in place, with bitwise the same result
+  bool move_points(std::span<const double> q);
+  void book_point_update(std::size_t i, Ledger::Booking& booking, PointBooks::Chunk& chunk);
   void book_contact_update(State& state);
   void book_update(State& state, const Energies& after);
   void damp_stacks(State& state, double h);
@@ -204,6 +204,7 @@ class Newmark final : public TimeIntegrator {
     double energy;  // of the springs, as in the equations of the step [J]
   };
   std::vector<Linear> linear_;  // of the points, before geometry is updated
+  PointBooks books_;
   ImplicitSystem system_;
   OpenClose contacts_;
   StepSprings springs_;

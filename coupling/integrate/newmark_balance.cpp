@@ -73,7 +73,7 @@ Newmark::LeftOver Newmark::left_over(const State& state) const {
 void Newmark::find_right_side(std::span<const double> moved, std::span<const double> affine) {
   // (s M + K + 2 C/h) d = known inertia + loads + f(x_k) + K d_k + C v.
   for (std::size_t i = 0; i < d_.size(); ++i) rhs_[i] = inertia_[i] + gravity_[i] + load_[i] + force_[i];
-  system_.pattern().multiply_add(1.0, K_, moved, rhs_);
+  if (system_.nonlinear()) system_.pattern().multiply_add(1.0, K_, moved, rhs_);
   if (interface_.acts()) {
     const auto predicted = interface_.predicted();
     for (std::size_t i = 0; i < d_.size(); ++i) rhs_[i] += predicted[i];

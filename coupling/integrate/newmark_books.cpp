@@ -105,7 +105,7 @@ void Newmark::book_contact(std::size_t i, Ledger::Booking& booking) const {
   if (t.status == ContactStatus::slip) booking.book(Column::friction, -t.ft * (e0 + t.moved - e1));
 }
 
-void Newmark::remember_contact(std::size_t i, const State& state) {
+void Newmark::remember_contact(std::size_t i, const State& state, PointBooks::Chunk& chunk) {
   // A sticking point keeps its anchor in the material; that of a slipping one has the stretch at the friction limit, on
   // the new geometry.
   const OpenClose::Trial& t = contacts_.trials()[i];
@@ -135,31 +135,34 @@ void Newmark::remember_contact(std::size_t i, const State& state) {
   m.fn = t.fn;
   m.fdt = 0.0;
   m.ft = t.ft;
-  if (checks_friction()) friction_check_.see(seconds(state.last_step), p, slip, m);
+  if (checks_friction() && FrictionCheck::slides(slip, m)) chunk.slides.emplace_back(i, slip);
 }
 
 void Newmark::leave_contacts(State& state) {
   linear_.resize(contacts_.trials().size());
+  books_.book(linear_.size(), true, state.ledger, [&](std::size_t i, Ledger::Booking& booking, PointBooks::Chunk& chunk) {
+    book_contact(i, booking);  // both at once, while the point is in the cache
+    remember_contact(i, state, chunk);
+  });
+  if (!checks_friction()) return;
   friction_check_.begin(*list_, seconds(state.time));
-  Ledger::Booking booking(state.ledger);
-  for (std::size_t i = 0; i < linear_.size(); ++i) {  // both at once, while the point is in the cache
-    book_contact(i, booking);
-    remember_contact(i, state);
-  }
-  if (checks_friction()) friction_evolution_.advance(seconds(state.last_step), list_->memory);
+  for (const PointBooks::Chunk& chunk : books_.chunks())
+    for (const auto& [i, slip] : chunk.slides)
+      friction_check_.see(seconds(state.last_step), list_->points[i], slip, list_->memory[i]);
+  friction_evolution_.advance(seconds(state.last_step), list_->memory);
 }
 
-void Newmark::move_points(std::span<const double> q) {
+bool Newmark::move_points(std::span<const double> q) {
   const bool was_clear = clear_ > 0.0;
   clear_ -= farthest_;
-  if (clear_ > 0.0 && !always_anew_) return;  // there are no points and there will be none
+  if (clear_ > 0.0 && !always_anew_) return true;  // there are no points and there will be none
   finder_.index(*list_, !always_anew_ && !was_clear);
   if (!finder_.keeps(q, *list_) || list_->points.empty() || always_anew_) {
     const bool none = list_->points.empty();
     std::swap(*list_, before_);
     finder_.find_again(before_, *list_);
     clear_ = none && list_->points.empty() ? finder_.clearance() : 0.0;
-    return;
+    return false;
   }
   ++steps_in_place_;
   if (!finder_.changed().empty()) finder_.splice(*list_);
@@ -180,36 +183,43 @@ void Newmark::move_points(std::span<const double> q) {
             finder_.move(static_cast<std::size_t>(i), *list_);
       },
       kFewMoved, kContactChunk);
+  return true;
+}
+
+void Newmark::book_point_update(std::size_t i, Ledger::Booking& booking, PointBooks::Chunk& chunk) {
+  const ContactPoint& p = list_->points[i];
+  const ContactMemory& m = list_->memory[i];
+  const double now = normal_energy(p, m) + tangential_energy(m);
+  chunk.energy += now;
+  chunk.adopts = chunk.adopts || ContactFinder::may_adopt(p, m);
+  if (p.from < 0) {
+    if (now != 0.0) booking.book(Column::contact_edges, now);
+    return;
+  }
+  Linear& before = linear_[static_cast<std::size_t>(p.from)];
+  double with_old_tributary = now;
+  if (before.kn != m.kn || before.kt != m.kt) {
+    with_old_tributary = normal_energy(p, m, before.kn) + tangential_energy(m, before.kt);
+    booking.book(Column::contact_tributary, now - with_old_tributary);
+  }
+  booking.book(Column::update_contact, with_old_tributary - before.energy);
+  before.energy = 0.0;
 }
 
 void Newmark::book_contact_update(State& state) {
-  move_points(state.q);
+  const bool in_place = move_points(state.q);  // then no two points come from the same one
   Ledger& ledger = state.ledger;
+  books_.book(list_->points.size(), in_place, ledger,
+              [this](std::size_t i, Ledger::Booking& booking, PointBooks::Chunk& chunk) {
+                book_point_update(i, booking, chunk);
+              });
+  for (const Linear& left : linear_)  // of contacts that ended
+    if (left.energy != 0.0) ledger.book(Column::springs_dropped, left.energy);
   double energy = 0.0;
   bool adopts = false;
-  {
-    Ledger::Booking booking(ledger);
-    for (std::size_t b = 0; b < list_->memory.size(); ++b) {
-      const ContactPoint& p = list_->points[b];
-      const ContactMemory& m = list_->memory[b];
-      const double now = normal_energy(p, m) + tangential_energy(m);
-      energy += now;
-      adopts = adopts || ContactFinder::may_adopt(p, m);
-      if (p.from < 0) {
-        if (now != 0.0) booking.book(Column::contact_edges, now);
-        continue;
-      }
-      Linear& before = linear_[static_cast<std::size_t>(p.from)];
-      double with_old_tributary = now;
-      if (before.kn != m.kn || before.kt != m.kt) {
-        with_old_tributary = normal_energy(p, m, before.kn) + tangential_energy(m, before.kt);
-        booking.book(Column::contact_tributary, now - with_old_tributary);
-      }
-      booking.book(Column::update_contact, with_old_tributary - before.energy);
-      before.energy = 0.0;
-    }
-    for (const Linear& left : linear_)  // of contacts that ended
-      if (left.energy != 0.0) booking.book(Column::springs_dropped, left.energy);
+  for (const PointBooks::Chunk& chunk : books_.chunks()) {
+    energy += chunk.energy;
+    adopts = adopts || chunk.adopts;
   }
   if (adopts) {
     ledger.book(Column::contact_tributary, finder_.adopt_kinds(*list_));

@@ -105,31 +105,43 @@ void OpenClose::begin(const ContactList& list, std::span<const double> q, std::s
 }
 
 void OpenClose::apply_states() {
-  k_.assign(springs_->k.begin(), springs_->k.end());
-  at_.assign(springs_->at.begin(), springs_->at.end());
+  const std::size_t springs = springs_->size();
+  k_.resize(rows_.size());
+  at_.resize(rows_.size());
+  std::copy(springs_->k.begin(), springs_->k.end(), k_.begin());
+  std::copy(springs_->at.begin(), springs_->at.end(), at_.begin());
+  const auto take_point = [&](std::int64_t at) {
+    const auto i = static_cast<std::size_t>(at);
+    k_[springs + 2 * i] = states_.normal_stiffness(i);
+    at_[springs + 2 * i] = states_[i].at;
+    k_[springs + 2 * i + 1] = states_.tangential_stiffness(i);
+    at_[springs + 2 * i + 1] = states_.stretch_before(i);
+  };
+  parallel_for(static_cast<std::int64_t>(states_.size()), take_point, kFewPoints);
+  active_.clear();
+  for (std::size_t r = 0; r < rows_.size(); ++r)
+    if (k_[r] != 0.0) active_.push_back(r);
+  slipping_.clear();
   for (std::size_t i = 0; i < states_.size(); ++i) {
-    k_.push_back(states_.normal_stiffness(i));
-    at_.push_back(states_[i].at);
-    k_.push_back(states_.tangential_stiffness(i));
-    at_.push_back(states_.stretch_before(i));
+    if (states_[i].status != ContactStatus::slip) continue;
+    const bool dilating = states_.dilates(i);
+    slipping_.push_back({i, states_.friction_per_gap(i), dilating, dilating ? states_.dilation(i) : DilatingForce{}});
   }
   rhs_ = base_;
-  active_.clear();
-  for (std::size_t r = 0; r < rows_.size(); ++r) {
-    if (k_[r] == 0.0) continue;
-    active_.push_back(r);
-    rows_[r].add_force(-k_[r] * (at_[r] + rows_[r].known), rhs_);
-  }
+  if (blocks_.acts)
+    add_state_forces();
+  else
+    add_state_forces_in_turn();
+}
+
+void OpenClose::add_state_forces_in_turn() {
+  for (const std::size_t r : active_) rows_[r].add_force(-k_[r] * (at_[r] + rows_[r].known), rhs_);
   for (std::size_t i = 0; i < states_.size(); ++i)
     if (states_[i].slack) states_.normal(i).add_force(states_.slack_force(i), rhs_);
   // Coulomb's force c + tan phi f_n of slipping points: a part that varies with the gap, as f_n does, and a constant.
-  slipping_.clear();
-  for (std::size_t i = 0; i < states_.size(); ++i) {
+  for (const Slipping& s : slipping_) {
+    const std::size_t i = s.point;
     const Trial& t = states_[i];
-    if (t.status != ContactStatus::slip) continue;
-    const bool dilating = states_.dilates(i);
-    const Slipping s{i, states_.friction_per_gap(i), dilating, dilating ? states_.dilation(i) : DilatingForce{}};
-    slipping_.push_back(s);
     const DofRow normal = states_.normal(i), tangential = states_.tangential(i);
     const double gap = t.at + normal.known;
     if (!s.dilates) {
@@ -192,8 +204,9 @@ void OpenClose::predict(std::span<const double> d, StepReport& report) {
 bool OpenClose::solve(std::span<const double> A, bool fresh, std::span<const double> rhs, std::span<double> d,
                       StepReport& report) {
   base_.assign(rhs.begin(), rhs.end());
-  for (std::size_t i = 0; i < states_.size(); ++i)
-    if (const double water = list_->memory[i].water; water != 0.0) states_.normal(i).add_force(water, base_);
+  if (!setup_->model().waters.empty())
+    for (std::size_t i = 0; i < states_.size(); ++i)
+      if (const double water = list_->memory[i].water; water != 0.0) states_.normal(i).add_force(water, base_);
   A_ = A;
   seen_.clear();
   bool only_worst = false;

@@ -102,6 +102,9 @@ class OpenClose {
   void predict(std::span<const double> d, StepReport& report);
   /// Finds stiffnesses and right-hand side for the states of the points.
   void apply_states();
+  /// Adds to rhs_ the forces of springs and points at no displacement: of every body on threads, or of row after row.
+  void add_state_forces();
+  void add_state_forces_in_turn();
   /// Adapts the factor to these states, or leaves a kept one as it is.
   [[nodiscard]] bool factorise(bool fresh, StepReport& report);
   [[nodiscard]] bool factorise_anew(StepReport& report);
@@ -171,6 +174,7 @@ class OpenClose {
   IndexedVector<OutlineNode, std::int32_t> chart_of_node_;  // -1: none yet in this step
   std::span<const double> A_;
   std::vector<double> rhs_, base_, factored_k_, correction_;
+  std::vector<double> force_;        // scratch: of every row [N]
   std::vector<std::size_t> active_;  // rows whose stiffness is not zero
   /// A point that slips in a pass.
   struct Slipping {

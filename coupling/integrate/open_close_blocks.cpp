@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "coupling/integrate/open_close.h"
+#include "model/parallel.h"
 
 namespace scree::coupling {
 namespace {
@@ -37,13 +38,27 @@ void OpenClose::begin_blocks() {
 
 bool OpenClose::take_blocks(bool fresh, StepReport& report) {
   BlockSolver& b = blocks_;
-  b.tangents.resize(states_.size());
-  for (std::size_t i = 0; i < states_.size(); ++i) b.tangents[i] = states_.tangent(i);
-  b.system.assemble(A_, fresh, std::span(k_).first(springs_->size()), b.tangents);
+  b.system.assemble(A_, fresh, std::span(k_).first(springs_->size()), states_.size(),
+                    [this](std::size_t i) { return states_.tangent(i); });
   b.stale = true;
   // A factor of other states is used until its additional iterations cost as much as a new one.
   if (b.factor.made() && !b.worn) return true;
   return factorise_blocks(report);
+}
+
+void OpenClose::add_state_forces() {
+  force_.resize(rows_.size());
+  const std::size_t springs = springs_->size();
+  for (std::size_t r = 0; r < springs; ++r) force_[r] = -k_[r] * (at_[r] + rows_[r].known);
+  const auto of_point = [&](std::int64_t at) {
+    const auto i = static_cast<std::size_t>(at);
+    const LinearContactForce f = states_.linear_force(i);
+    const double gap = states_.normal(i).known, stretch = states_.tangential(i).known;
+    force_[springs + 2 * i] = f.normal - f.k.nn * gap - f.k.nt * stretch;
+    force_[springs + 2 * i + 1] = f.tangential - f.k.tn * gap - f.k.tt * stretch;
+  };
+  parallel_for(static_cast<std::int64_t>(states_.size()), of_point, kFewPoints);
+  blocks_.system.add_forces(force_, rhs_);
 }
 
 bool OpenClose::factorise_blocks(StepReport& report) {

@@ -1,5 +1,6 @@
 // Gaps and stretches of an implicit step's contact points as rows of its unknowns.
 #include <algorithm>
+#include <atomic>
 
 #include "coupling/integrate/open_close.h"
 #include "model/parallel.h"
@@ -46,19 +47,25 @@ void OpenClose::add_rows(const ContactPoint& p, const ContactMemory& m, std::spa
 
 bool OpenClose::find_affine_charts(std::span<const double> q) {
   const Outlines& o = setup_->outlines();
-  charted_.clear();
-  row_size_.clear();
-  for (const ContactPoint& p : list_->points) {
+  constexpr std::int32_t kUsed = -2;
+  row_size_.resize(2 * list_->points.size());
+  const auto mark = [&](std::int64_t at) {
+    const auto i = static_cast<std::size_t>(at);
+    const ContactPoint& p = list_->points[i];
     const BodyIndex corner = o.node_body[p.node[0]], edge = o.node_body[p.node[1]];
     const bool corner_moves = !setup_->body(corner).driven, edge_moves = !setup_->body(edge).driven;
     const int bodies = (corner_moves ? 1 : 0) + (edge_moves && edge != corner ? 1 : 0);
-    row_size_.insert(row_size_.end(), 2, bodies * kBlockSide);
-    for (std::size_t i = 0; i < 3; ++i) {
-      const OutlineNode node = p.node[i];
-      if (!(i == 0 ? corner_moves : edge_moves) || chart_of_node_[node] >= 0) continue;
-      chart_of_node_[node] = static_cast<std::int32_t>(charted_.size());
-      charted_.push_back(node);
-    }
+    row_size_[2 * i] = row_size_[2 * i + 1] = bodies * kBlockSide;
+    for (std::size_t k = 0; k < 3; ++k)
+      if (k == 0 ? corner_moves : edge_moves)
+        std::atomic_ref(chart_of_node_[p.node[k]]).store(kUsed, std::memory_order_relaxed);
+  };
+  parallel_for(std::ssize(list_->points), mark, kFewRows);
+  charted_.clear();
+  for (const OutlineNode node : o.nodes.indices()) {
+    if (chart_of_node_[node] != kUsed) continue;
+    chart_of_node_[node] = static_cast<std::int32_t>(charted_.size());
+    charted_.push_back(node);
   }
   if (charted_.size() > affine_charts_.capacity()) {  // resize() would double it
     affine_charts_.clear();

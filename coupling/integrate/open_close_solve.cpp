@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "coupling/integrate/open_close.h"
+#include "model/parallel.h"
 
 namespace scree::coupling {
 
@@ -34,12 +35,15 @@ void OpenClose::multiply(std::span<const double> x, std::span<double> y) const {
 }
 
 double OpenClose::force_scale(std::span<const double> d) const {
-  double size = 0.0;
   const auto unit = system_->unit();
-  for (std::size_t i = 0; i < rhs_.size(); ++i)
-    size = std::max({size, std::abs(rhs_[i]) / unit[i], std::abs(base_[i]) / unit[i]});
-  for (const std::size_t r : active_) size = std::max(size, k_[r] * std::abs(at_[r] + rows_[r].change(d)));
-  return size;
+  const double of_bodies = parallel_largest(std::ssize(rhs_), [&](std::int64_t at) {
+    const auto i = static_cast<std::size_t>(at);
+    return std::max(std::abs(rhs_[i]), std::abs(base_[i])) / unit[i];
+  });
+  return std::max(of_bodies, parallel_largest(std::ssize(active_), [&](std::int64_t at) {
+                    const std::size_t r = active_[static_cast<std::size_t>(at)];
+                    return k_[r] * std::abs(at_[r] + rows_[r].change(d));
+                  }));
 }
 
 double OpenClose::round_off(std::span<const double> d) const {

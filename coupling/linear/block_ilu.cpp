@@ -1,118 +1,145 @@
 #include "coupling/linear/block_ilu.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "coupling/linear/block_inverse.h"
-#include "model/parallel.h"
 
 namespace scree::coupling {
 namespace {
+
+constexpr std::int32_t kFill = -1;      // source of a block that A does not have
+constexpr std::int32_t kWhole = 3000;   // rows that stay one part
+constexpr std::int32_t kPair = 4096;    // rows of two parts, above that
+constexpr std::int32_t kMostParts = 8;  // the more there are, the more rows are in the separator
+
+std::int32_t count_parts(std::int32_t rows) {
+  return rows < kWhole ? 1 : std::min(kMostParts, 2 * (1 + rows / kPair));
+}
+
+std::size_t index(std::int32_t i) { return static_cast<std::size_t>(i); }
 
 void round_to(const double* block, FloatBlock& out) {
   for (int j = 0; j < kBlockSide; ++j) DoubleColumn(block + kBlockSide * j).round_to(out.column[j]);
 }
 
-constexpr std::int32_t kWhole = 3000;   // rows that stay one part
-constexpr std::int32_t kPair = 4096;    // rows of two parts, above that
-constexpr std::int32_t kMostParts = 8;  // the more there are, the more iterations it takes
-
-/// The part that row i of n is in.
-std::int32_t part_of(std::int32_t i, std::int32_t n, std::int32_t parts) {
-  auto p = static_cast<std::int32_t>(std::int64_t{i} * parts / n);
-  if (i >= std::int64_t{n} * (p + 1) / parts) ++p;
-  return p;
-}
-
+/// of(part) for every part, on threads if there are several.
 template <class Of>
-void for_parts(std::size_t count, Of&& of) {
-  if (count == 1) return of(std::size_t{0});
+void for_parts(std::int32_t count, Of&& of) {
+  if (count == 1) return of(0);
 #pragma omp parallel for schedule(static)
-  for (std::int64_t p = 0; p < static_cast<std::int64_t>(count); ++p) of(static_cast<std::size_t>(p));
+  for (std::int32_t p = 0; p < count; ++p) of(p);
 }
 
 }  // namespace
 
-void BlockIlu::take(const BlockMatrix& A) {
-  const std::int32_t n = A.rows();
-  const auto rows = static_cast<std::size_t>(n);
-  parts_.clear();
-  const std::int32_t parts = n < kWhole ? 1 : std::min(kMostParts, 2 * (1 + n / kPair));
-  for (std::int32_t p = 0; p < parts; ++p)
-    parts_.push_back({static_cast<std::int32_t>(std::int64_t{n} * p / parts),
-                      static_cast<std::int32_t>(std::int64_t{n} * (p + 1) / parts)});
-  for (auto* v : {&first_, &diagonal_, &end_, &place_}) v->resize(rows);
-  if (A.blocks() > factor_.capacity()) {  // resize() would double it
-    column_.clear();
+void BlockIlu::take_pattern(const BlockMatrix& A) {
+  if (std::ranges::equal(row_begin_, A.row_starts()) && std::ranges::equal(of_column_, A.columns())) return;
+  row_begin_.assign(A.row_starts().begin(), A.row_starts().end());
+  of_column_.assign(A.columns().begin(), A.columns().end());
+  parts_ = cut_rows(A, count_parts(A.rows()));
+  failed_.assign(index(parts_.parts()), 0);
+  const std::size_t rows = index(A.rows());
+  place_.resize(rows);
+  for (std::size_t i = 0; i < rows; ++i) place_[index(parts_.order[i])] = static_cast<std::int32_t>(i);
+  start_.assign(1, 0);
+  blocks_.clear();
+  diagonal_.resize(rows);
+  seen_.assign(rows, -1);
+  for (std::int32_t i = 0; i < A.rows(); ++i) append_row(A, i);
+  if (blocks_.size() > factor_.capacity()) {  // resize() would double it
     factor_.clear();
-    column_.reserve(A.blocks() + A.blocks() / 16);
-    factor_.reserve(A.blocks() + A.blocks() / 16);
+    factor_.reserve(blocks_.size() + blocks_.size() / 16);
   }
-  column_.resize(A.blocks());
-  factor_.resize(A.blocks());
+  factor_.resize(blocks_.size());
   y_.resize(rows);
-  failed_.assign(parts_.size(), 0);
-  parallel_for(n, [&](std::int64_t at) {
-    const auto i = static_cast<std::int32_t>(at);
-    const auto row = static_cast<std::size_t>(at);
-    const Part part = parts_[static_cast<std::size_t>(part_of(i, n, parts))];
-    diagonal_[row] = A.diagonal(i);
-    first_[row] = A.row_begin(i + 1);
-    end_[row] = A.row_begin(i);
-    for (std::int32_t k = A.row_begin(i); k < A.row_begin(i + 1); ++k) {
-      const std::int32_t c = column_[static_cast<std::size_t>(k)] = A.column(k);
-      if (c < part.begin || c >= part.end) continue;
-      first_[row] = std::min(first_[row], k);
-      end_[row] = k + 1;
-      round_to(A.block(k), factor_[static_cast<std::size_t>(k)]);
-    }
-    place_[row] = -1;
-  });
 }
 
-bool BlockIlu::eliminate(const Part& part, std::span<const double> unit) {
-  const auto column = [this](std::int32_t k) { return static_cast<std::size_t>(column_[static_cast<std::size_t>(k)]); };
-  for (auto row = static_cast<std::size_t>(part.begin); row < static_cast<std::size_t>(part.end); ++row) {
-    for (std::int32_t k = first_[row]; k < end_[row]; ++k) place_[column(k)] = k;
-    for (std::int32_t k = first_[row]; k < diagonal_[row]; ++k) {
-      const std::size_t c = column(k);
-      FloatBlock& left = factor_[static_cast<std::size_t>(k)];
-      left.multiply_by(factor_[static_cast<std::size_t>(diagonal_[c])]);
-      for (std::int32_t m = diagonal_[c] + 1; m < end_[c]; ++m)
-        if (const std::int32_t at = place_[column(m)]; at >= 0)
-          factor_[static_cast<std::size_t>(at)].subtract_product(left, factor_[static_cast<std::size_t>(m)]);
+void BlockIlu::append_row(const BlockMatrix& A, std::int32_t i) {
+  const auto add = [&](std::int32_t column, std::int32_t source) {
+    if (std::exchange(seen_[index(column)], i) != i) blocks_.push_back({column, source});
+  };
+  const auto each = [&](std::int32_t at, auto&& of) {
+    const std::int32_t row = parts_.order[index(at)];
+    for (std::int32_t k = A.row_begin(row); k < A.row_begin(row + 1); ++k) of(place_[index(A.column(k))], k);
+  };
+  const auto first = static_cast<std::ptrdiff_t>(blocks_.size());
+  each(i, add);
+  each(i, [&](std::int32_t pivot, std::int32_t) {
+    if (pivot >= i) return;
+    each(pivot, [&](std::int32_t column, std::int32_t) {
+      if (column > pivot) add(column, kFill);
+    });
+  });
+  std::sort(blocks_.begin() + first, blocks_.end(), [](const Block& p, const Block& q) { return p.column < q.column; });
+  const auto own = std::find_if(blocks_.begin() + first, blocks_.end(), [i](const Block& b) { return b.column == i; });
+  diagonal_[index(i)] = static_cast<std::int32_t>(own - blocks_.begin());
+  start_.push_back(static_cast<std::int32_t>(blocks_.size()));
+}
+
+bool BlockIlu::eliminate(const BlockMatrix& A, std::span<const double> unit, std::int32_t begin, std::int32_t end) {
+  for (std::size_t i = index(begin); i < index(end); ++i) {
+    for (std::int32_t k = start_[i]; k < start_[i + 1]; ++k) {
+      if (const std::int32_t source = blocks_[index(k)].source; source == kFill)
+        factor_[index(k)] = {};
+      else
+        round_to(A.block(source), factor_[index(k)]);
     }
-    for (std::int32_t k = first_[row]; k < end_[row]; ++k) place_[column(k)] = -1;
-    if (!invert(factor_[static_cast<std::size_t>(diagonal_[row])], &unit[kBlockSide * row])) return false;
+    for (std::int32_t k = start_[i]; k < diagonal_[i]; ++k) {
+      const std::size_t pivot = index(column(k));
+      FloatBlock& left = factor_[index(k)];
+      left.multiply_by(factor_[index(diagonal_[pivot])]);
+      std::int32_t at = k + 1;
+      for (std::int32_t m = diagonal_[pivot] + 1; m < start_[pivot + 1]; ++m) {
+        while (at < start_[i + 1] && column(at) < column(m)) ++at;
+        if (at == start_[i + 1]) break;
+        if (column(at) == column(m)) factor_[index(at)].subtract_product(left, factor_[index(m)]);
+      }
+    }
+    if (!invert(factor_[index(diagonal_[i])], &unit[kBlockSide * index(parts_.order[i])])) return false;
   }
   return true;
 }
 
 bool BlockIlu::factorise(const BlockMatrix& A, std::span<const double> unit) {
-  take(A);
-  for_parts(parts_.size(), [&](std::size_t p) { failed_[p] = eliminate(parts_[p], unit) ? 0 : 1; });
-  return made_ = std::find(failed_.begin(), failed_.end(), 1) == failed_.end();
+  take_pattern(A);
+  for_parts(parts_.parts(), [&](std::int32_t p) {
+    failed_[index(p)] = eliminate(A, unit, parts_.begin[index(p)], parts_.begin[index(p + 1)]) ? 0 : 1;
+  });
+  made_ = std::find(failed_.begin(), failed_.end(), 1) == failed_.end() &&
+          eliminate(A, unit, parts_.separator(), A.rows());
+  return made_;
 }
 
-void BlockIlu::solve(const Part& part, std::span<const double> r, std::span<float> z) {
-  const auto begin = static_cast<std::size_t>(part.begin), end = static_cast<std::size_t>(part.end);
-  for (std::size_t i = begin; i < end; ++i) {
+void BlockIlu::forward(std::span<const double> r, std::int32_t begin, std::int32_t end) {
+  for (std::size_t i = index(begin); i < index(end); ++i) {
     FloatColumn sum;
-    DoubleColumn(&r[kBlockSide * i]).round_to(sum);
-    for (auto k = static_cast<std::size_t>(first_[i]); k < static_cast<std::size_t>(diagonal_[i]); ++k)
-      factor_[k].subtract_from(sum, y_[static_cast<std::size_t>(column_[k])]);
+    DoubleColumn(&r[kBlockSide * index(parts_.order[i])]).round_to(sum);
+    for (std::int32_t k = start_[i]; k < diagonal_[i]; ++k)
+      factor_[index(k)].subtract_from(sum, y_[index(column(k))]);
     y_[i] = sum;
   }
-  for (std::size_t i = end; i-- > begin;) {
+}
+
+void BlockIlu::backward(std::span<float> z, std::int32_t begin, std::int32_t end) {
+  for (std::size_t i = index(end); i-- > index(begin);) {
     FloatColumn sum = y_[i];
-    for (auto k = static_cast<std::size_t>(diagonal_[i]) + 1; k < static_cast<std::size_t>(end_[i]); ++k)
-      factor_[k].subtract_from(sum, y_[static_cast<std::size_t>(column_[k])]);
-    factor_[static_cast<std::size_t>(diagonal_[i])].times(sum, y_[i]);
-    for (std::size_t j = 0; j < kBlockSide; ++j) z[kBlockSide * i + j] = y_[i][j];
+    for (std::int32_t k = diagonal_[i] + 1; k < start_[i + 1]; ++k)
+      factor_[index(k)].subtract_from(sum, y_[index(column(k))]);
+    factor_[index(diagonal_[i])].times(sum, y_[i]);
+    float* out = &z[kBlockSide * index(parts_.order[i])];
+    for (int j = 0; j < kBlockSide; ++j) out[j] = y_[i][j];
   }
 }
 
 void BlockIlu::solve(std::span<const double> r, std::span<float> z) {
-  for_parts(parts_.size(), [&](std::size_t p) { solve(parts_[p], r, z); });
+  const std::int32_t parts = parts_.parts(), separator = parts_.separator();
+  const auto rows = static_cast<std::int32_t>(y_.size());
+  const auto& begin = parts_.begin;
+  for_parts(parts, [&](std::int32_t p) { forward(r, begin[index(p)], begin[index(p + 1)]); });
+  forward(r, separator, rows);
+  backward(z, separator, rows);
+  for_parts(parts, [&](std::int32_t p) { backward(z, begin[index(p)], begin[index(p + 1)]); });
 }
 
 }  // namespace scree::coupling

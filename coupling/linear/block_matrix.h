@@ -28,6 +28,9 @@ class BlockMatrix {
   [[nodiscard]] std::int32_t rows() const { return static_cast<std::int32_t>(diagonal_.size()); }
   /// Number of blocks in the pattern.
   [[nodiscard]] std::size_t blocks() const { return column_.size(); }
+  /// The pattern: where the rows begin, with the end of the last one, and the columns of all blocks.
+  [[nodiscard]] std::span<const std::int32_t> row_starts() const { return start_; }
+  [[nodiscard]] std::span<const std::int32_t> columns() const { return column_; }
   /// Blocks of row i are those from row_begin(i) to row_begin(i + 1), in the order of their columns.
   [[nodiscard]] std::int32_t row_begin(std::int32_t i) const { return start_[static_cast<std::size_t>(i)]; }
   [[nodiscard]] std::int32_t column(std::int32_t k) const { return column_[static_cast<std::size_t>(k)]; }

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "model/parallel.h"
+
 namespace scree::coupling {
 
 std::vector<std::int32_t> SymmetricPattern::make(std::int32_t unknowns, std::span<const std::int32_t> i,
@@ -32,6 +34,16 @@ std::vector<std::int32_t> SymmetricPattern::make(std::int32_t unknowns, std::spa
     }
     column_start.push_back(static_cast<std::int32_t>(row.size()));
   }
+  constexpr std::int32_t kShort = 1024;  // unknowns: as much as a thread should have to do
+  ranges_.assign(1, 0);
+  std::int32_t last = -1;  // row of the columns so far
+  for (std::int32_t c = 0; c < n; ++c) {
+    if (c > last && c - ranges_.back() >= kShort) ranges_.push_back(c);
+    const auto begin = static_cast<std::size_t>(column_start[static_cast<std::size_t>(c)]),
+               end = static_cast<std::size_t>(column_start[static_cast<std::size_t>(c) + 1]);
+    if (begin < end) last = std::max(last, row[end - 1]);
+  }
+  ranges_.push_back(n);
   return place;
 }
 
@@ -42,7 +54,20 @@ void SymmetricPattern::multiply(std::span<const double> values, std::span<const 
 
 void SymmetricPattern::multiply_add(double factor, std::span<const double> values, std::span<const double> x,
                                     std::span<double> y) const {
-  for (std::size_t c = 0; c < static_cast<std::size_t>(n); ++c) {
+  if (ranges_.size() < 2) return multiply_add(factor, values, x, y, 0, n);  // not by make()
+  constexpr std::int64_t kFew = 6;  // ranges
+  parallel_for(
+      std::ssize(ranges_) - 1,
+      [&](std::int64_t i) {
+        const auto range = static_cast<std::size_t>(i);
+        multiply_add(factor, values, x, y, ranges_[range], ranges_[range + 1]);
+      },
+      kFew);
+}
+
+void SymmetricPattern::multiply_add(double factor, std::span<const double> values, std::span<const double> x,
+                                    std::span<double> y, std::int32_t first, std::int32_t last) const {
+  for (auto c = static_cast<std::size_t>(first); c < static_cast<std::size_t>(last); ++c) {
     const double of_column = factor * x[c];
     double sum = 0.0;
     auto k = static_cast<std::size_t>(column_start[c]);

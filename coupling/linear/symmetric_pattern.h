@@ -19,10 +19,16 @@ struct SymmetricPattern {
   /// @return the place of each entry
   std::vector<std::int32_t> make(std::int32_t unknowns, std::span<const std::int32_t> i,
                                  std::span<const std::int32_t> j);
-  /// y = A x, or y += factor A x.
+  /// y = A x, or y += factor A x; on threads where ranges of unknowns are independent of each other.
   void multiply(std::span<const double> values, std::span<const double> x, std::span<double> y) const;
   void multiply_add(double factor, std::span<const double> values, std::span<const double> x,
                     std::span<double> y) const;
+
+ private:
+  void multiply_add(double factor, std::span<const double> values, std::span<const double> x, std::span<double> y,
+                    std::int32_t first, std::int32_t last) const;
+
+  std::vector<std::int32_t> ranges_;  // of columns that no entry couples: where each begins, and the end of the last
 };
 
 /// A matrix with its pattern, as a state contains it.

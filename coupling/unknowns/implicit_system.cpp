@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include "model/parallel.h"
+
 namespace scree::coupling {
 namespace {
 
@@ -41,6 +43,7 @@ ImplicitSystem::ImplicitSystem(const Setup& setup) : setup_(&setup), first_value
   }
   place_ = pattern_.make(dofs_, row, column);
   mass_.resize(pattern_.size());
+  scratch_.resize(row.size());
   rate_.resize(static_cast<std::size_t>(dofs_));
 }
 
@@ -80,20 +83,31 @@ void ImplicitSystem::find_units(std::span<const double> reference) {
   }
 }
 
+template <class Of>
+void ImplicitSystem::for_bodies(bool all, Of&& of) const {
+  // Pools of affine bodies keep nothing between calls, so that threads may call them.
+  constexpr std::int64_t kFew = 1000;
+  const auto of_body = [&](std::int64_t at) {
+    const auto i = static_cast<std::size_t>(at);
+    if (takes(i, all)) of(i);
+  };
+  const auto bodies = std::ssize(first_dof_);
+  parallel_for(bodies, of_body, affine_ ? kFew : bodies + 1);
+}
+
 void ImplicitSystem::compute_masses(std::span<const double> q, std::span<const double> v) {
-  for (std::size_t i = 0; i < first_dof_.size(); ++i) {
-    if (!takes(i, true)) continue;
+  for_bodies(true, [&](std::size_t i) {
     const Body& b = setup_->bodies()[i];
     const auto p = static_cast<std::size_t>(b.pool), first = static_cast<std::size_t>(first_dof_[i]);
     const Pool& pool = setup_->pool_of(b);
     const auto n = static_cast<std::size_t>(pool.dofs(b.index));
     pool.rates(b.index, setup_->part(q, p), setup_->part(v, p), std::span(rate_).subspan(first, n));
-    if (has_masses_ && pool.constant_chart(b.index)) continue;
-    scratch_.resize(first_value_[i + 1] - first_value_[i]);
-    pool.element_masses(b.index, setup_->part(q, p), scratch_);
+    if (has_masses_ && pool.constant_chart(b.index)) return;
+    const std::span<double> values = values_of(i);
+    pool.element_masses(b.index, setup_->part(q, p), values);
     clear_columns(first, n, mass_);
-    scatter(i, scratch_, mass_);
-  }
+    scatter(i, values, mass_);
+  });
   has_masses_ = true;
 }
 
@@ -104,22 +118,20 @@ void ImplicitSystem::clear_columns(std::size_t first, std::size_t n, std::span<d
 double ImplicitSystem::linearise(std::span<const double> q, Stiffness kind, bool all, std::span<double> K,
                                  std::span<double> force) {
   double energy = 0.0;
-  for (std::size_t i = 0; i < first_dof_.size(); ++i) {
-    if (!takes(i, all)) continue;
+  for_bodies(all, [&](std::size_t i) {
     const Body& b = setup_->bodies()[i];
     const Pool& pool = setup_->pool_of(b);
     const auto first = static_cast<std::size_t>(first_dof_[i]), n = static_cast<std::size_t>(pool.dofs(b.index));
     std::span<double> values;
     if (!K.empty()) {
-      scratch_.resize(first_value_[i + 1] - first_value_[i]);
-      values = scratch_;
+      values = values_of(i);
       clear_columns(first, n, K);
     }
     const double stored = pool.linearise(b.index, setup_->part(q, static_cast<std::size_t>(b.pool)), kind, values,
                                          force.subspan(first, n));
-    if (nonlinear_body_[i] != 0) energy += stored;
+    if (nonlinear_body_[i] != 0) energy += stored;  // then the loop runs on one thread
     if (!K.empty()) scatter(i, values, K);
-  }
+  });
   return energy;
 }
 
@@ -132,8 +144,7 @@ ChartRow ImplicitSystem::chart(BodyIndex body, const Row& row, std::span<const d
 }
 
 void ImplicitSystem::add_forces(std::span<const double> f, std::span<const double> q, std::span<double> out) const {
-  for (std::size_t i = 0; i < first_dof_.size(); ++i) {
-    if (first_dof_[i] < 0) continue;
+  for_bodies(true, [&](std::size_t i) {
     const Body& b = setup_->bodies()[i];
     const auto of_pool = setup_->part(q, static_cast<std::size_t>(b.pool));
     const auto first = static_cast<std::size_t>(first_dof_[i]);
@@ -146,19 +157,18 @@ void ImplicitSystem::add_forces(std::span<const double> f, std::span<const doubl
       for (std::size_t j = 0; j < static_cast<std::size_t>(chart.n); ++j)
         out[first + static_cast<std::size_t>(chart.dof[j])] += f[n] * chart.tx[j] + f[n + 1] * chart.ty[j];
     }
-  }
+  });
 }
 
 void ImplicitSystem::accelerations(std::span<const double> q, std::span<const double> nodes,
                                    std::span<double> dofs) const {
-  for (std::size_t i = 0; i < first_dof_.size(); ++i) {
-    if (first_dof_[i] < 0) continue;
+  for_bodies(true, [&](std::size_t i) {
     const Body& b = setup_->bodies()[i];
     const auto p = static_cast<std::size_t>(b.pool);
     const Pool& pool = setup_->pool_of(b);
     pool.rates(b.index, setup_->part(q, p), setup_->part(nodes, p),
                dofs.subspan(static_cast<std::size_t>(first_dof_[i]), static_cast<std::size_t>(pool.dofs(b.index))));
-  }
+  });
 }
 
 void ImplicitSystem::node_accelerations(std::span<const double> dofs, std::span<double> nodes) const {
@@ -171,14 +181,13 @@ void ImplicitSystem::node_accelerations(std::span<const double> dofs, std::span<
 
 void ImplicitSystem::retract(std::span<const double> d, std::span<const double> rate, bool all, std::span<double> q,
                              std::span<double> v) const {
-  for (std::size_t i = 0; i < first_dof_.size(); ++i) {
-    if (!takes(i, all)) continue;
+  for_bodies(all, [&](std::size_t i) {
     const Body& b = setup_->bodies()[i];
     const auto p = static_cast<std::size_t>(b.pool), first = static_cast<std::size_t>(first_dof_[i]),
                n = static_cast<std::size_t>(setup_->pool_of(b).dofs(b.index));
     setup_->pool_of(b).retract(b.index, d.subspan(first, n), rate.subspan(first, n), setup_->part(q, p),
                                setup_->part(v, p));
-  }
+  });
 }
 
 }  // namespace scree::coupling

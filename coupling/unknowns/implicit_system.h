@@ -76,6 +76,13 @@ class ImplicitSystem {
   [[nodiscard]] bool takes(std::size_t body, bool all) const {
     return first_dof_[body] >= 0 && (all || nonlinear_body_[body] != 0);
   }
+  /// of(body) for the free bodies, or only for those whose force is not linear; on threads if all are affine.
+  template <class Of>
+  void for_bodies(bool all, Of&& of) const;
+  /// Scratch for the lower triangles of a body's elements.
+  [[nodiscard]] std::span<double> values_of(std::size_t body) {
+    return std::span(scratch_).subspan(first_value_[body], first_value_[body + 1] - first_value_[body]);
+  }
   void scatter(std::size_t body, std::span<const double> values, std::span<double> out) const;
   /// Sets the numbers of a body's columns to zero: bodies share no unknown, and its columns hold nothing else.
   void clear_columns(std::size_t first, std::size_t n, std::span<double> values) const;
@@ -89,7 +96,8 @@ class ImplicitSystem {
   bool has_masses_ = false;  // those of bodies with constant charts stay
   SymmetricPattern pattern_;
   std::vector<std::int32_t> place_;  // of every number of the lower triangles, body after body
-  std::vector<double> mass_, rate_, nonlinear_dof_, unit_, scratch_;
+  std::vector<double> mass_, rate_, nonlinear_dof_, unit_;
+  std::vector<double> scratch_;  // a number for each in place_
 };
 
 }  // namespace scree::coupling

@@ -69,7 +69,11 @@ class FrictionCheck {
   /// @param h     the step [s]   @param slip  signed slip of the point in it [m]
   /// @param m     forces and state at its end; its slide memory is brought up to date
   void see(double h, const ContactPoint& p, double slip, ContactMemory& m) {
-    if (slip != 0.0 || m.slide.length > 0.0F) follow(h, p, slip, m);
+    if (slides(slip, m)) follow(h, p, slip, m);
+  }
+  /// True for a point that slips in a step, or that is in a stretch: see() does nothing for others.
+  [[nodiscard]] static bool slides(double slip, const ContactMemory& m) {
+    return slip != 0.0 || m.slide.length > 0.0F;
   }
   /// Ends all stretches, for a stage without the check.
   static void forget(ContactList& list);

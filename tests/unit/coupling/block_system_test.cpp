@@ -46,6 +46,9 @@ struct Sample {
       points.push_back(kinds[i % 4]);
     }
   }
+  void assemble(BlockSystem& blocks, bool fresh) const {
+    blocks.assemble(A, fresh, k, points.size(), [this](std::size_t i) { return points[i]; });
+  }
   void add_row(int a, int b) {
     rows.begin_row();
     for (const int body : {a, b})
@@ -87,12 +90,21 @@ TEST(BlockSystem, sums_springs_and_points_as_dense_algebra_does) {
   s.draw();
   BlockSystem blocks(*s.system);
   ASSERT_TRUE(blocks.begin(s.rows, kSprings));
-  blocks.assemble(s.A, true, s.k, s.points);
+  s.assemble(blocks, true);
   const Eigen::MatrixXd exact = s.dense();
   EXPECT_LT((dense_of(blocks.matrix()) - exact).cwiseAbs().maxCoeff(), 1e-13 * exact.cwiseAbs().maxCoeff());
   Eigen::VectorXd x = Eigen::VectorXd::Random(6 * kBodies), y(6 * kBodies);
   blocks.multiply(std::span<const double>(x.data(), 30), std::span<double>(y.data(), 30));
   EXPECT_LT((y - exact * x).cwiseAbs().maxCoeff(), 1e-13 * exact.cwiseAbs().maxCoeff());
+  // Forces of the rows alone.
+  std::vector<double> force(s.rows.size()), sum(y.data(), y.data() + y.size());
+  for (std::size_t r = 0; r < force.size(); ++r) {
+    force[r] = static_cast<double>(r) - 3.5;
+    s.rows[r].add_force(force[r], sum);
+  }
+  blocks.add_forces(force, std::span<double>(y.data(), 30));
+  const Eigen::Map<const Eigen::VectorXd> in_turn(sum.data(), y.size());
+  EXPECT_LT((y - in_turn).cwiseAbs().maxCoeff(), 1e-13 * in_turn.cwiseAbs().maxCoeff());
 }
 
 TEST(BlockSystem, rows_summed_again_have_the_bits_of_a_new_matrix) {
@@ -100,20 +112,20 @@ TEST(BlockSystem, rows_summed_again_have_the_bits_of_a_new_matrix) {
   s.draw();
   BlockSystem blocks(*s.system);
   ASSERT_TRUE(blocks.begin(s.rows, kSprings));
-  blocks.assemble(s.A, true, s.k, s.points);
+  s.assemble(blocks, true);
   s.points[1] = {};
   s.points[6] = {2.0, 0.0, 0.0, 1.0};
-  blocks.assemble(s.A, false, s.k, s.points);
+  s.assemble(blocks, false);
   BlockSystem anew(*s.system);
   ASSERT_TRUE(anew.begin(s.rows, kSprings));
-  anew.assemble(s.A, true, s.k, s.points);
+  s.assemble(anew, true);
   EXPECT_EQ(dense_of(blocks.matrix()), dense_of(anew.matrix()));
   const Eigen::MatrixXd exact = s.dense();
   EXPECT_LT((dense_of(blocks.matrix()) - exact).cwiseAbs().maxCoeff(), 1e-13 * exact.cwiseAbs().maxCoeff());
   // The next step has rows of its own.
   for (double& a : s.A) a *= 2.0;
   ASSERT_TRUE(blocks.begin(s.rows, kSprings));
-  blocks.assemble(s.A, true, s.k, s.points);
+  s.assemble(blocks, true);
   EXPECT_LT((dense_of(blocks.matrix()) - s.dense()).cwiseAbs().maxCoeff(), 1e-13 * exact.cwiseAbs().maxCoeff());
 }
 
