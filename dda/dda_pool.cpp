@@ -9,10 +9,13 @@
 #include <map>
 
 #include "model/outline.h"
+#include "model/parallel.h"
 #include "model/planar.h"
 
 namespace scree::dda {
 namespace {
+
+constexpr std::int64_t kFewBodies = 1000;  // fewer are not worth waking threads for
 
 // The last two nodes hold a summed strain.
 constexpr std::array<double, 5> kTranslation{1.0, 0.0, 0.0, 0.0, 0.0};
@@ -141,9 +144,20 @@ BodyTotals DdaPool::totals(int body, std::span<const double> q, std::span<const 
   return t;
 }
 
+template <class Of>
+double DdaPool::sum_of_bodies(Of&& of_body) const {
+  return parallel_sum(
+      bodies(), sums_,
+      [&](std::int64_t begin, std::int64_t end) {
+        double sum = 0.0;
+        for (std::int64_t b = begin; b < end; ++b) sum += of_body(static_cast<int>(b));
+        return sum;
+      },
+      kFewBodies);
+}
+
 double DdaPool::internal_force(std::span<const double> q, std::span<double> f) const {
-  double energy = 0.0;
-  for (int b = 0; b < bodies(); ++b) {
+  return sum_of_bodies([&](int b) {
     const auto i = 2 * static_cast<std::size_t>(first_node(b));
     const AffineState s = load(first_node(b), q, q);
     const Stressed r = stress_of(b, q);
@@ -152,9 +166,8 @@ double DdaPool::internal_force(std::span<const double> q, std::span<double> f) c
     f[i + 3] -= area * r.P(1, 0);
     f[i + 4] -= area * r.P(0, 1);
     f[i + 5] -= area * r.P(1, 1);
-    energy += s.F.determinant() > 0.0 ? area * r.energy : std::numeric_limits<double>::quiet_NaN();
-  }
-  return energy;
+    return s.F.determinant() > 0.0 ? area * r.energy : std::numeric_limits<double>::quiet_NaN();
+  });
 }
 
 Fault DdaPool::find_fault(std::span<const double> q) const {
@@ -196,12 +209,16 @@ void DdaPool::body_force(const Vec2& a, std::span<double> f) const {
 }
 
 void DdaPool::mass_solve(std::span<const double>, std::span<const double> f, std::span<double> a) const {
-  for (int b = 0; b < bodies(); ++b) {
-    const AffineState s = load(first_node(b), f, f);
-    const Body& body = of(b);
-    store(first_node(b), s.c / body.shape.mass, s.F * body.second_inverse, a);
-    if (body.summed) store_strain(first_node(b), Mat2::Zero(), a);
-  }
+  parallel_for(
+      bodies(),
+      [&](std::int64_t at) {
+        const auto b = static_cast<int>(at);
+        const AffineState s = load(first_node(b), f, f);
+        const Body& body = of(b);
+        store(first_node(b), s.c / body.shape.mass, s.F * body.second_inverse, a);
+        if (body.summed) store_strain(first_node(b), Mat2::Zero(), a);
+      },
+      kFewBodies);
 }
 
 void DdaPool::mass_apply(int body, std::span<const double>, std::span<const double> v, std::span<double> p) const {
@@ -212,14 +229,12 @@ void DdaPool::mass_apply(int body, std::span<const double>, std::span<const doub
 
 double DdaPool::kinetic_energy(std::span<const double> q, std::span<const double> v,
                                std::span<const char> counted) const {
-  double sum = 0.0;
-  for (int b = 0; b < bodies(); ++b)
-    if (counted[static_cast<std::size_t>(b)] != 0) {
-      const AffineState s = load(first_node(b), q, v);
-      const ReferenceShape& shape = of(b).shape;
-      sum += 0.5 * shape.mass * s.vc.squaredNorm() + 0.5 * (s.Fdot * shape.second * s.Fdot.transpose()).trace();
-    }
-  return sum;
+  return sum_of_bodies([&](int b) {
+    if (counted[static_cast<std::size_t>(b)] == 0) return 0.0;
+    const AffineState s = load(first_node(b), q, v);
+    const ReferenceShape& shape = of(b).shape;
+    return 0.5 * shape.mass * s.vc.squaredNorm() + 0.5 * (s.Fdot * shape.second * s.Fdot.transpose()).trace();
+  });
 }
 
 double DdaPool::compliance(int body, const Row& row) const {

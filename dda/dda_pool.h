@@ -70,6 +70,10 @@ class DdaPool final : public Pool {
   /// Cauchy stress of a block [Pa].
   [[nodiscard]] Mat2 cauchy(int body, std::span<const double> q) const;
 
+  /// Sum of of_body(b), in chunks: the same bits for any number of threads.
+  template <class Of>
+  [[nodiscard]] double sum_of_bodies(Of&& of_body) const;
+
   struct Body {
     ReferenceShape shape;
     Elasticity law;
@@ -84,6 +88,7 @@ class DdaPool final : public Pool {
   [[nodiscard]] const Body& of(int body) const { return bodies_[static_cast<std::size_t>(body)]; }
   std::vector<Body> bodies_;
   std::vector<std::int32_t> first_{0};  // first node of each body, then the number of nodes
+  mutable std::vector<double> sums_;    // scratch, of chunks of bodies
 };
 
 }  // namespace scree::dda

@@ -49,13 +49,33 @@ void parallel_for_chunks(std::int64_t n, Chunk&& chunk, std::int64_t serial_belo
   for (std::int64_t c = 0; c < chunks; ++c) chunk(c * size, end_of(c));
 }
 
+/// out = what of(i, list) appends to `list` for i in [0, n), in the order of i.
+/// @param by_chunk  scratch
+template <class Item, class Of>
+void parallel_list(std::int64_t n, std::vector<std::vector<Item>>& by_chunk, std::vector<Item>& out, Of&& of,
+                   std::int64_t serial_below = kSerialBelow) {
+  by_chunk.resize(static_cast<std::size_t>((n + kChunk - 1) / kChunk));
+  parallel_for_chunks(
+      n,
+      [&](std::int64_t begin, std::int64_t end) {
+        std::vector<Item>& list = by_chunk[static_cast<std::size_t>(begin / kChunk)];
+        list.clear();
+        for (std::int64_t i = begin; i < end; ++i) of(i, list);
+      },
+      serial_below);
+  out.clear();
+  for (const std::vector<Item>& list : by_chunk) out.insert(out.end(), list.begin(), list.end());
+}
+
 /// Sum of chunk(begin, end) over [0, n) in chunks of kChunk: the same bits for any number of threads.
 template <class Chunk>
-double parallel_sum(std::int64_t n, std::vector<double>& partial, Chunk&& chunk) {
+double parallel_sum(std::int64_t n, std::vector<double>& partial, Chunk&& chunk,
+                    std::int64_t serial_below = kSerialBelow) {
   partial.resize(static_cast<std::size_t>((n + kChunk - 1) / kChunk));
-  parallel_for_chunks(n, [&](std::int64_t begin, std::int64_t end) {
-    partial[static_cast<std::size_t>(begin / kChunk)] = chunk(begin, end);
-  });
+  parallel_for_chunks(
+      n,
+      [&](std::int64_t begin, std::int64_t end) { partial[static_cast<std::size_t>(begin / kChunk)] = chunk(begin, end); },
+      serial_below);
   double sum = 0.0;
   for (double p : partial) sum += p;
   return sum;

@@ -34,12 +34,18 @@ bool BlockSystem::begin(const DofRows& rows, std::size_t springs) {
   springs_ = springs;
   const std::size_t units = springs + (rows.size() - springs) / 2;
   found_.resize(units);
-  for (std::size_t u = 0; u < units; ++u) {
-    const DofRow row = rows[u < springs ? u : springs + 2 * (u - springs)];
-    if (!couples_pair(row)) return false;
-    found_[u] = {row.dof.empty() ? -1 : row.dof[0] / kBlockSide,
-                 row.dof.size() <= kBlockSide ? -1 : row.dof[kBlockSide] / kBlockSide};
-  }
+  const double more = parallel_largest(
+      static_cast<std::int64_t>(units),
+      [&](std::int64_t at) {
+        const auto u = static_cast<std::size_t>(at);
+        const DofRow row = rows[u < springs ? u : springs + 2 * (u - springs)];
+        if (!couples_pair(row)) return 1.0;
+        found_[u] = {row.dof.empty() ? -1 : row.dof[0] / kBlockSide,
+                     row.dof.size() <= kBlockSide ? -1 : row.dof[kBlockSide] / kBlockSide};
+        return 0.0;
+      },
+      kFewPoints);
+  if (more > 0.0) return false;
   k_.clear();  // the values of the matrix are outdated: its rows are those of another step
   tangent_.clear();
   changed_.clear();
@@ -59,7 +65,11 @@ void BlockSystem::find_incidences() {
     if (p[1] >= 0 && (pairs_.empty() || !same(p, pairs_.back()))) pairs_.push_back(p);
   // Which of two vertices that nearly coincide is a contact point changes from step to step: most lists that differ in
   // their points have the same pairs of bodies.
-  if (!matrix_.has_pattern(n, pairs_)) matrix_.set_pattern(n, pairs_);
+  matrix_.find(pairs_, places_);
+  if (!matrix_.has_pattern(n, pairs_, places_)) {
+    matrix_.set_pattern(n, pairs_);
+    matrix_.find(pairs_, places_);
+  }
   first_.assign(static_cast<std::size_t>(n) + 1, 0);
   for (const BlockMatrix::Pair& p : bodies_)
     for (const std::int32_t b : p)
@@ -67,19 +77,17 @@ void BlockSystem::find_incidences() {
   for (std::size_t b = 0; b < static_cast<std::size_t>(n); ++b) first_[b + 1] += first_[b];
   incidence_.resize(static_cast<std::size_t>(first_.back()));
   std::vector<std::int32_t> next(first_.begin(), first_.end() - 1);
-  std::int32_t of_a = -1, of_b = -1;  // places of a pair, which several points in succession may have
+  std::size_t pair = 0;  // number of those begun: several points in succession may have the same
   for (std::size_t u = 0; u < bodies_.size(); ++u) {
     const auto [a, b] = bodies_[u];
-    if (b >= 0 && (u == 0 || !same(bodies_[u], bodies_[u - 1]))) {
-      of_a = matrix_.find(a, b);
-      of_b = matrix_.find(b, a);
-    }
+    if (b >= 0 && (pair == 0 || !same(bodies_[u], pairs_[pair - 1]))) ++pair;
+    const BlockMatrix::Pair places = b >= 0 ? places_[pair - 1] : BlockMatrix::Pair{-1, -1};
     const auto unit = static_cast<std::int32_t>(u);
     const auto put = [&](std::int32_t body, const Incidence& i) {
       incidence_[static_cast<std::size_t>(next[static_cast<std::size_t>(body)]++)] = i;
     };
-    if (a >= 0) put(a, {unit, 0, b >= 0 ? kBlockSide : -1, b >= 0 ? of_a : -1});
-    if (b >= 0) put(b, {unit, kBlockSide, 0, of_b});
+    if (a >= 0) put(a, {unit, 0, b >= 0 ? kBlockSide : -1, places[0]});
+    if (b >= 0) put(b, {unit, kBlockSide, 0, places[1]});
   }
 }
 

@@ -114,7 +114,7 @@ class BlockSystem {
   std::size_t springs_ = 0;
   BlockMatrix matrix_;
   std::vector<BlockMatrix::Pair> bodies_, found_;  // of every unit; -1: none
-  std::vector<BlockMatrix::Pair> pairs_;           // scratch
+  std::vector<BlockMatrix::Pair> pairs_, places_;  // of the units that couple two bodies; where their blocks are
   std::vector<std::int32_t> first_;                // per body: its incidences
   std::vector<Incidence> incidence_;
   std::span<const double> A_;

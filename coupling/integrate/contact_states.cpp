@@ -292,18 +292,12 @@ void ContactStates::propose(std::size_t i, Proposals& out) const {
 
 template <class May>
 void ContactStates::propose_all(May&& may) {
-  by_chunk_.resize((trial_.size() + kChunk - 1) / kChunk);
-  parallel_for_chunks(
-      std::ssize(trial_),
-      [&](std::int64_t begin, std::int64_t end) {
-        Proposals& out = by_chunk_[static_cast<std::size_t>(begin / kChunk)];
-        out.clear();
-        for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i)
-          if (may(i)) propose(i, out);
+  parallel_list(
+      std::ssize(trial_), by_chunk_, proposed_,
+      [&](std::int64_t at, Proposals& out) {
+        if (const auto i = static_cast<std::size_t>(at); may(i)) propose(i, out);
       },
       kFewPoints);
-  proposed_.clear();
-  for (const Proposals& of_chunk : by_chunk_) proposed_.insert(proposed_.end(), of_chunk.begin(), of_chunk.end());
 }
 
 void ContactStates::adopt(std::size_t i, const ProposedState& w) {

@@ -8,6 +8,8 @@
 #include <limits>
 #include <utility>
 
+#include "model/parallel.h"
+
 namespace scree::coupling {
 Newmark::Newmark(const Setup& setup, const StepControl& control, double detection, const ImplicitOptions& options)
     : setup_(&setup),
@@ -291,11 +293,16 @@ void Newmark::find_step_springs(const State& state, double h) {
 }
 
 void Newmark::linear_system(double h) {
-  for (std::size_t k = 0; k < A_.size(); ++k) A_[k] = mass_factor(h) * system_.mass()[k] + K_[k];
-  if (!C_.empty())
-    for (std::size_t k = 0; k < A_.size(); ++k) A_[k] += 2.0 / h * C_[k];
-  if (options_.damping > 0.0)
-    for (std::size_t k = 0; k < A_.size(); ++k) A_[k] += 2.0 / h * options_.damping * system_.mass()[k];
+  constexpr std::int64_t kFewNumbers = 32768;
+  parallel_for(
+      std::ssize(A_),
+      [&](std::int64_t at) {
+        const auto k = static_cast<std::size_t>(at);
+        A_[k] = mass_factor(h) * system_.mass()[k] + K_[k];
+        if (!C_.empty()) A_[k] += 2.0 / h * C_[k];
+        if (options_.damping > 0.0) A_[k] += 2.0 / h * options_.damping * system_.mass()[k];
+      },
+      kFewNumbers);
   damper_.add_matrix(A_);
   largest_ = {};
   for (const std::int32_t diagonal : std::span(system_.pattern().column_start).first(d_.size())) {

@@ -118,15 +118,21 @@ void OpenClose::apply_states() {
     at_[springs + 2 * i + 1] = states_.stretch_before(i);
   };
   parallel_for(static_cast<std::int64_t>(states_.size()), take_point, kFewPoints);
-  active_.clear();
-  for (std::size_t r = 0; r < rows_.size(); ++r)
-    if (k_[r] != 0.0) active_.push_back(r);
-  slipping_.clear();
-  for (std::size_t i = 0; i < states_.size(); ++i) {
-    if (states_[i].status != ContactStatus::slip) continue;
-    const bool dilating = states_.dilates(i);
-    slipping_.push_back({i, states_.friction_per_gap(i), dilating, dilating ? states_.dilation(i) : DilatingForce{}});
-  }
+  parallel_list(
+      std::ssize(k_), active_by_chunk_, active_,
+      [&](std::int64_t r, std::vector<std::size_t>& out) {
+        if (k_[static_cast<std::size_t>(r)] != 0.0) out.push_back(static_cast<std::size_t>(r));
+      },
+      2 * kFewPoints);
+  parallel_list(
+      static_cast<std::int64_t>(states_.size()), slipping_by_chunk_, slipping_,
+      [&](std::int64_t at, std::vector<Slipping>& out) {
+        const auto i = static_cast<std::size_t>(at);
+        if (states_[i].status != ContactStatus::slip) return;
+        const bool dilating = states_.dilates(i);
+        out.push_back({i, states_.friction_per_gap(i), dilating, dilating ? states_.dilation(i) : DilatingForce{}});
+      },
+      kFewPoints);
   rhs_ = base_;
   if (blocks_.acts)
     add_state_forces();

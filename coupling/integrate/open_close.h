@@ -184,6 +184,8 @@ class OpenClose {
     DilatingForce dilation;
   };
   std::vector<Slipping> slipping_;
+  std::vector<std::vector<std::size_t>> active_by_chunk_;  // scratch, as the next
+  std::vector<std::vector<Slipping>> slipping_by_chunk_;
   std::vector<std::size_t> seen_;  // hashes of the states of earlier passes
   ConjugateResiduals residuals_;
   std::vector<Cholesky::Change> changes_;

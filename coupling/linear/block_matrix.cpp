@@ -5,6 +5,11 @@
 #include "model/parallel.h"
 
 namespace scree::coupling {
+namespace {
+
+constexpr std::int64_t kFewRows = 3000;  // not worth waking threads for
+
+}  // namespace
 
 void BlockMatrix::set_pattern(std::int32_t n, std::span<const Pair> pairs) {
   const auto rows = static_cast<std::size_t>(n);
@@ -36,13 +41,13 @@ void BlockMatrix::set_pattern(std::int32_t n, std::span<const Pair> pairs) {
   value_.resize(kBlockSize * column_.size());
 }
 
-bool BlockMatrix::has_pattern(std::int32_t n, std::span<const Pair> pairs) {
+bool BlockMatrix::has_pattern(std::int32_t n, std::span<const Pair> pairs, std::span<const Pair> places) {
   if (rows() != n) return false;
   seen_.assign(blocks(), 0);
   auto found = static_cast<std::size_t>(n);
-  for (const Pair& p : pairs) {
-    const auto [i, j] = std::minmax(p[0], p[1]);
-    const std::int32_t k = find(i, j);
+  for (std::size_t p = 0; p < pairs.size(); ++p) {
+    const auto [i, j] = pairs[p];
+    const std::int32_t k = places[p][i < j ? 0 : 1];  // above the diagonal
     if (k < 0) return false;
     if (char& seen = seen_[static_cast<std::size_t>(k)]; seen == 0 && i != j) {
       seen = 1;
@@ -52,6 +57,16 @@ bool BlockMatrix::has_pattern(std::int32_t n, std::span<const Pair> pairs) {
   return found == blocks();
 }
 
+void BlockMatrix::find(std::span<const Pair> pairs, std::vector<Pair>& places) const {
+  places.resize(pairs.size());
+  const auto find_pair = [&](std::int64_t at) {
+    const auto p = static_cast<std::size_t>(at);
+    const auto [i, j] = pairs[p];
+    places[p] = std::max(i, j) < rows() ? Pair{find(i, j), find(j, i)} : Pair{-1, -1};
+  };
+  parallel_for(std::ssize(pairs), find_pair, kFewRows);
+}
+
 std::int32_t BlockMatrix::find(std::int32_t i, std::int32_t j) const {
   const auto begin = column_.begin() + row_begin(i), end = column_.begin() + row_begin(i + 1);
   const auto at = std::lower_bound(begin, end, j);
@@ -59,10 +74,6 @@ std::int32_t BlockMatrix::find(std::int32_t i, std::int32_t j) const {
 }
 
 void BlockMatrix::clear_row(std::int32_t i) { std::fill(block(row_begin(i)), block(row_begin(i + 1)), 0.0); }
-
-namespace {
-constexpr std::int64_t kFewRows = 3000;  // not worth waking threads for
-}
 
 void BlockMatrix::multiply(std::span<const double> x, std::span<double> y) const {
   parallel_for(

@@ -23,7 +23,10 @@ class BlockMatrix {
   void set_pattern(std::int32_t n, std::span<const Pair> pairs);
 
   /// True if the pattern is that of n block rows and these pairs.
-  [[nodiscard]] bool has_pattern(std::int32_t n, std::span<const Pair> pairs);
+  /// @param places  of every pair (i, j): blocks (i, j) and (j, i), -1: there is none
+  [[nodiscard]] bool has_pattern(std::int32_t n, std::span<const Pair> pairs, std::span<const Pair> places);
+  /// Finds the places of pairs.
+  void find(std::span<const Pair> pairs, std::vector<Pair>& places) const;
 
   [[nodiscard]] std::int32_t rows() const { return static_cast<std::int32_t>(diagonal_.size()); }
   /// Number of blocks in the pattern.

@@ -86,7 +86,10 @@ ConjugateResiduals::Correction& ConjugateResiduals::next(std::size_t depth) {
   else
     c.z.resize(r_.size());
   c.q.resize(r_.size());
-  for (std::size_t i = 0; i < r_.size(); ++i) product_[i] = r_[i] * unit_[i];
+  for_chunks(static_cast<std::int64_t>(r_.size()), [&](std::int64_t begin, std::int64_t end) {
+    for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i)
+      product_[i] = r_[i] * unit_[i];
+  });
   return c;
 }
 
@@ -108,6 +111,14 @@ double ConjugateResiduals::orthogonalise(std::size_t depth) {
     for (std::size_t k = 0; k < depth; ++k) subtract(part[k], corrections_[k].q.data(), c.q.data(), begin, end);
     return dot(c.q.data(), c.q.data(), begin, end);
   });
+}
+
+std::span<const double> ConjugateResiduals::in_double(std::span<const float> z) {
+  z_.resize(z.size());
+  for_chunks(static_cast<std::int64_t>(z.size()), [&](std::int64_t begin, std::int64_t end) {
+    std::copy(z.begin() + begin, z.begin() + end, z_.begin() + begin);
+  });
+  return z_;
 }
 
 bool ConjugateResiduals::correct(std::size_t depth) {

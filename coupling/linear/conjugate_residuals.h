@@ -63,8 +63,7 @@ class ConjugateResiduals {
       Correction& c = next(depth);
       if constexpr (kSingle) {
         inverse(std::span<const double>(product_), std::span<float>(c.single));
-        z_.assign(c.single.begin(), c.single.end());
-        A(std::span<const double>(z_), std::span<double>(product_));
+        A(in_double(c.single), std::span<double>(product_));
       } else {
         inverse(std::span<const double>(product_), std::span<double>(c.z));
         A(std::span<const double>(c.z), std::span<double>(product_));
@@ -93,6 +92,7 @@ class ConjugateResiduals {
   void take_residual(std::span<const double> b);
   /// Room for another correction; product_ = the residual that it is to correct [unit of b].
   Correction& next(std::size_t depth);
+  [[nodiscard]] std::span<const double> in_double(std::span<const float> z);
   /// The part of A z in product_ orthogonal to the earlier columns, and the step along it.   @return false: none helps
   [[nodiscard]] bool correct(std::size_t depth);
   /// part[k] += q.q_k/q_k.q_k, q -= that of q_k, for all k < depth.   @return q.q after it

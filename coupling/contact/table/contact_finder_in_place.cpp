@@ -18,7 +18,10 @@ void ContactFinder::index(const ContactList& list, bool in_turn) {
   known_.index(list);
   if (!in_turn) pairs_.forget();
   kind_.resize(list.points.size());
-  for (std::size_t i = 0; i < kind_.size(); ++i) kind_[i] = {has_partner(list.points[i]), !list.points[i].edge_edge};
+  parallel_for(std::ssize(kind_), [&](std::int64_t at) {
+    const auto i = static_cast<std::size_t>(at);
+    kind_[i] = {has_partner(list.points[i]), !list.points[i].edge_edge};
+  });
 }
 
 void ContactFinder::take_noted(const ContactList& list) {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "coupling/contact/table/contact_point.h"
+#include "model/parallel.h"
 
 namespace scree::coupling {
 
@@ -24,15 +25,16 @@ class KnownContacts {
     places_.resize(list.briefs.size());
     points_.resize(list.briefs.size());
     next_.resize(list.briefs.size());
-    divided_ = closed_divided_ = false;
-    for (std::size_t i = 0; i < points_.size(); ++i) {
+    const double divided = parallel_largest(std::ssize(points_), [&](std::int64_t at) {
+      const auto i = static_cast<std::size_t>(at);
       const ContactList::Brief& p = list.briefs[i];
       const ContactMemory& m = list.memory[i];
       places_[i] = {p.vertex, p.edge};
       points_[i] = brief(m);
-      divided_ = divided_ || m.segment < 0;
-      closed_divided_ = closed_divided_ || (m.segment < 0 && points_[i].closed);
-    }
+      return m.segment >= 0 ? 0.0 : (points_[i].closed ? 2.0 : 1.0);
+    });
+    divided_ = divided > 0.0;
+    closed_divided_ = divided > 1.0;
     list_places();
   }
   /// Notes the memory of a point of the list at the next instant; nothing changes before take_noted().

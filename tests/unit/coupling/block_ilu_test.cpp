@@ -128,15 +128,22 @@ TEST(BlockMatrix, has_a_place_for_every_pair_in_both_orders_and_for_no_other) {
 TEST(BlockMatrix, recognises_the_pairs_of_its_pattern_in_any_order) {
   BlockMatrix m;
   const Pairs pairs{{2, 0}, {3, 2}, {1, 4}};
+  Pairs places;
+  const auto has_pattern = [&](int n, const Pairs& of) {
+    m.find(of, places);
+    return m.has_pattern(n, of, places);
+  };
   m.set_pattern(5, pairs);
-  EXPECT_TRUE(m.has_pattern(5, pairs));
-  EXPECT_TRUE(m.has_pattern(5, Pairs{{4, 1}, {0, 2}, {4, 1}, {2, 3}, {2, 2}, {1, 4}}));
-  EXPECT_FALSE(m.has_pattern(5, Pairs{{2, 0}, {3, 2}}));                  // one is missing
-  EXPECT_FALSE(m.has_pattern(5, Pairs{{2, 0}, {3, 2}, {0, 2}}));          // the same, one listed twice
-  EXPECT_FALSE(m.has_pattern(5, Pairs{{2, 0}, {3, 2}, {1, 4}, {1, 0}}));  // one more
-  EXPECT_FALSE(m.has_pattern(6, pairs));
+  EXPECT_TRUE(has_pattern(5, pairs));
+  for (std::size_t p = 0; p < pairs.size(); ++p)
+    EXPECT_EQ(places[p], (BlockMatrix::Pair{m.find(pairs[p][0], pairs[p][1]), m.find(pairs[p][1], pairs[p][0])}));
+  EXPECT_TRUE(has_pattern(5, Pairs{{4, 1}, {0, 2}, {4, 1}, {2, 3}, {2, 2}, {1, 4}}));
+  EXPECT_FALSE(has_pattern(5, Pairs{{2, 0}, {3, 2}}));                  // one is missing
+  EXPECT_FALSE(has_pattern(5, Pairs{{2, 0}, {3, 2}, {0, 2}}));          // the same, one listed twice
+  EXPECT_FALSE(has_pattern(5, Pairs{{2, 0}, {3, 2}, {1, 4}, {1, 0}}));  // one more
+  EXPECT_FALSE(has_pattern(6, pairs));
   m.set_pattern(2, {});
-  EXPECT_TRUE(m.has_pattern(2, {}));
+  EXPECT_TRUE(has_pattern(2, {}));
 }
 
 TEST(BlockIlu, exchanges_rows_where_a_pivot_is_zero) {
