@@ -1,6 +1,8 @@
 #include "coupling/integrate/block_system.h"
 
 #include <algorithm>
+#include <atomic>
+#include <cmath>
 
 #include "model/parallel.h"
 
@@ -92,14 +94,32 @@ void BlockSystem::find_incidences() {
 }
 
 bool BlockSystem::begin_assembly(std::span<const double> A, bool fresh, std::span<const double> k,
-                                 std::size_t points) {
+                                 std::span<const double> at, std::size_t points) {
   const auto bodies = static_cast<std::size_t>(matrix_.rows());
   const bool all = fresh || k_.size() != k.size() || tangent_.size() != points || changed_.size() != bodies;
   if (all) changed_.assign(bodies, 1);
   tangent_.resize(points);
   k_.assign(k.begin(), k.end());  // springs stay as they are during a step
+  constant_.resize(rows_->size());
+  for (std::size_t s = 0; s < k.size(); ++s) constant_[s] = -k[s] * (at[s] + (*rows_)[s].known);
   A_ = A;
   return all;
+}
+
+void BlockSystem::take(std::size_t point, const LinearContactForce& force, bool all) {
+  const PointTangent& k = force.k;
+  const std::size_t row = springs_ + 2 * point;
+  const double gap = rows_->known()[row], stretch = rows_->known()[row + 1];
+  constant_[row] = force.normal - k.nn * gap - k.nt * stretch;
+  constant_[row + 1] = force.tangential - k.tn * gap - k.tt * stretch;
+  if (all) {
+    tangent_[point] = k;
+    return;
+  }
+  if (tangent_[point] == k) return;
+  tangent_[point] = k;
+  for (const std::int32_t b : bodies_of(point))
+    if (b >= 0) std::atomic_ref(changed_[static_cast<std::size_t>(b)]).store(1, std::memory_order_relaxed);
 }
 
 void BlockSystem::end_assembly() {
@@ -189,54 +209,57 @@ void BlockSystem::subtract_own(std::int32_t body, std::span<const double> x, dou
   }
 }
 
-void BlockSystem::multiply(std::span<const double> x, std::span<double> y) {
+template <bool constant>
+void BlockSystem::find_force(std::size_t unit, std::span<const double> x) {
+  if (unit < springs_) {
+    force_[unit] = k_[unit] != 0.0 ? k_[unit] * elongation(unit, unit, x) - (constant ? constant_[unit] : 0.0) : 0.0;
+    return;
+  }
+  const PointTangent& k = tangent_[unit - springs_];
+  const std::size_t row = springs_ + 2 * (unit - springs_);
+  force_[row] = constant ? -constant_[row] : 0.0;
+  force_[row + 1] = constant ? -constant_[row + 1] : 0.0;
+  if (k.zero()) return;
+  const double gap = elongation(row, unit, x), stretch = elongation(row + 1, unit, x);
+  force_[row] += k.nn * gap + k.nt * stretch;
+  force_[row + 1] += k.tn * gap + k.tt * stretch;
+}
+
+template <bool constant>
+void BlockSystem::multiply_rows(std::span<const double> x, std::span<double> y) {
   force_.resize(rows_->size());
-  const auto of_unit = [&](std::int64_t at) {
-    const auto unit = static_cast<std::size_t>(at);
-    if (unit < springs_) {
-      force_[unit] = k_[unit] != 0.0 ? k_[unit] * elongation(unit, unit, x) : 0.0;
-      return;
-    }
-    const PointTangent& k = tangent_[unit - springs_];
-    const std::size_t row = springs_ + 2 * (unit - springs_);
-    force_[row] = force_[row + 1] = 0.0;
-    if (k.zero()) return;
-    const double gap = elongation(row, unit, x), stretch = elongation(row + 1, unit, x);
-    force_[row] = k.nn * gap + k.nt * stretch;
-    force_[row + 1] = k.tn * gap + k.tt * stretch;
-  };
+  parallel_for(
+      std::ssize(bodies_), [&](std::int64_t unit) { find_force<constant>(static_cast<std::size_t>(unit), x); },
+      kFewPoints);
   const auto of_body = [&](std::int64_t at) {
-    const auto b = static_cast<std::size_t>(at);
+    const auto body = static_cast<std::int32_t>(at);
     double of_A[kBlockSide] = {};
-    subtract_own(static_cast<std::int32_t>(at), x, of_A);
+    subtract_own(body, x, of_A);
     DoubleColumn sum(of_A);
     sum.scale(-1.0);
-    add_forces(static_cast<std::int32_t>(at), force_, sum);
-    sum.store(&y[kBlockSide * b]);
+    add_forces(body, sum);
+    sum.store(&y[kBlockSide * static_cast<std::size_t>(at)]);
   };
-  parallel_for(static_cast<std::int64_t>(bodies_.size()), of_unit, kFewPoints);
   parallel_for(matrix_.rows(), of_body, kFewBodies);
 }
 
-void BlockSystem::add_forces(std::int32_t body, std::span<const double> force, DoubleColumn& sum) const {
+void BlockSystem::multiply(std::span<const double> x, std::span<double> y) { multiply_rows<false>(x, y); }
+
+void BlockSystem::balance(std::span<const double> x, std::span<double> y) { multiply_rows<true>(x, y); }
+
+double BlockSystem::largest_force() const {
+  return parallel_largest(
+      std::ssize(force_), [this](std::int64_t row) { return std::abs(force_[static_cast<std::size_t>(row)]); },
+      2 * kFewPoints);
+}
+
+void BlockSystem::add_forces(std::int32_t body, DoubleColumn& sum) const {
   for (const Incidence& i : incidences(body)) {
     const auto unit = static_cast<std::size_t>(i.unit);
     const std::size_t row = unit < springs_ ? unit : springs_ + 2 * (unit - springs_);
-    if (force[row] != 0.0) sum.add(force[row], coefficients(row, i.own));
-    if (unit >= springs_ && force[row + 1] != 0.0) sum.add(force[row + 1], coefficients(row + 1, i.own));
+    if (force_[row] != 0.0) sum.add(force_[row], coefficients(row, i.own));
+    if (unit >= springs_ && force_[row + 1] != 0.0) sum.add(force_[row + 1], coefficients(row + 1, i.own));
   }
-}
-
-void BlockSystem::add_forces(std::span<const double> force, std::span<double> out) const {
-  parallel_for(
-      matrix_.rows(),
-      [&](std::int64_t b) {
-        double* of_body = &out[kBlockSide * static_cast<std::size_t>(b)];
-        DoubleColumn sum(of_body);
-        add_forces(static_cast<std::int32_t>(b), force, sum);
-        sum.store(of_body);
-      },
-      kFewBodies);
 }
 
 }  // namespace scree::coupling

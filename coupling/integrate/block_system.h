@@ -1,7 +1,6 @@
 // The linear system of an open-close pass where every free body is affine: blocks of 6 x 6.
 #pragma once
 
-#include <atomic>
 #include <span>
 #include <vector>
 
@@ -21,6 +20,12 @@ struct PointTangent {
   [[nodiscard]] bool zero() const { return nn == 0.0 && nt == 0.0 && tn == 0.0 && tt == 0.0; }
 };
 
+/// Forces of a point in its state: f_n = normal - nn dg - nt ds, f_t = tangential - tn dg - tt ds.
+struct LinearContactForce {
+  PointTangent k;
+  double normal = 0.0, tangential = 0.0;  // [N]
+};
+
 /// Below this number of points a loop that takes some nanoseconds per point runs on one thread.
 inline constexpr std::int64_t kFewPoints = 8000;
 
@@ -38,23 +43,14 @@ class BlockSystem {
   [[nodiscard]] bool begin(const DofRows& rows, std::size_t springs);
   /// Sums the matrix.
   /// @param A       on the pattern of the system   @param fresh  A has changed since the last call
-  /// @param k       of the springs, constant during a step [N/m]
-  /// @param points  number of them   @param tangent  tangent(i): of point i, called on threads
-  template <class Tangent>
-  void assemble(std::span<const double> A, bool fresh, std::span<const double> k, std::size_t points,
-                Tangent&& tangent) {
-    const bool all = begin_assembly(A, fresh, k, points);
+  /// @param k       of the springs, constant during a step [N/m]   @param at  their elongations at its start [m]
+  /// @param points  number of them   @param force  force(i): of point i in its state, called on threads
+  template <class Force>
+  void assemble(std::span<const double> A, bool fresh, std::span<const double> k, std::span<const double> at,
+                std::size_t points, Force&& force) {
+    const bool all = begin_assembly(A, fresh, k, at, points);
     parallel_for(
-        static_cast<std::int64_t>(points),
-        [&](std::int64_t at) {
-          const auto i = static_cast<std::size_t>(at);
-          const PointTangent is = tangent(i);
-          if (!all && tangent_[i] == is) return;
-          tangent_[i] = is;
-          if (all) return;
-          for (const std::int32_t b : bodies_of(i))
-            if (b >= 0) std::atomic_ref(changed_[static_cast<std::size_t>(b)]).store(1, std::memory_order_relaxed);
-        },
+        static_cast<std::int64_t>(points), [&](std::int64_t i) { take(static_cast<std::size_t>(i), force(i), all); },
         kFewPoints);
     end_assembly();
   }
@@ -66,8 +62,10 @@ class BlockSystem {
   /// y = (A + springs + points) x from the rows themselves, with the values last assembled: elongations first, then
   /// the forces of every body in the order of its rows.
   void multiply(std::span<const double> x, std::span<double> y);
-  /// out += the forces of all rows: of a body in the order of its rows.   @param force  of every row [N]
-  void add_forces(std::span<const double> force, std::span<double> out) const;
+  /// The same less the forces of springs and points at no displacement: y = A x - (their forces on the bodies at x).
+  void balance(std::span<const double> x, std::span<double> y);
+  /// The largest force of a row in the last balance() [N].
+  [[nodiscard]] double largest_force() const;
 
   /// The two bodies of a point; -1: held, or driven.
   [[nodiscard]] const BlockMatrix::Pair& bodies_of(std::size_t point) const { return bodies_[springs_ + point]; }
@@ -96,10 +94,17 @@ class BlockSystem {
   void find_incidences();
   /// @return true: every row is to be summed
   [[nodiscard]] bool begin_assembly(std::span<const double> A, bool fresh, std::span<const double> k,
-                                    std::size_t points);
+                                    std::span<const double> at, std::size_t points);
+  /// Takes the forces of a point; marks the rows of its bodies if they change and not all are summed anyway.
+  void take(std::size_t point, const LinearContactForce& force, bool all);
   void end_assembly();
+  /// force_ of a spring or a point at x, with or without what it is at no displacement.
+  template <bool constant>
+  void find_force(std::size_t unit, std::span<const double> x);
+  template <bool constant>
+  void multiply_rows(std::span<const double> x, std::span<double> y);
   /// sum += the forces of all rows on a body.
-  void add_forces(std::int32_t body, std::span<const double> force, DoubleColumn& sum) const;
+  void add_forces(std::int32_t body, DoubleColumn& sum) const;
   void sum_row(std::int32_t body);
   /// Coefficients of one of the bodies of a row.   @param own  Incidence::own
   [[nodiscard]] DoubleColumn coefficients(std::size_t row, std::int32_t own) const {
@@ -120,7 +125,8 @@ class BlockSystem {
   std::span<const double> A_;
   std::vector<double> k_;              // stiffnesses in the present matrix
   std::vector<PointTangent> tangent_;  // tangents in the present matrix
-  std::vector<double> force_;          // of every row in multiply()
+  std::vector<double> constant_;       // of every row: its force at no displacement [N]
+  std::vector<double> force_;          // of every row in multiply() or balance(), against the elongation
   std::vector<char> changed_;          // per body
 };
 

@@ -15,12 +15,6 @@
 
 namespace scree::coupling {
 
-/// Forces of a point in its state: f_n = normal - nn dg - nt ds, f_t = tangential - tn dg - tt ds.
-struct LinearContactForce {
-  PointTangent k;
-  double normal = 0.0, tangential = 0.0;  // [N]
-};
-
 /// The active set of the open-close iteration: each contact point of a step has a state, in which its forces are
 /// linear in the unknowns d of the step. The unknowns found with given states determine which states are violated,
 /// and which states those points change to.

@@ -134,13 +134,10 @@ void OpenClose::apply_states() {
       },
       kFewPoints);
   rhs_ = base_;
-  if (blocks_.acts)
-    add_state_forces();
-  else
-    add_state_forces_in_turn();
+  add_state_forces();
 }
 
-void OpenClose::add_state_forces_in_turn() {
+void OpenClose::add_state_forces() {
   for (const std::size_t r : active_) rows_[r].add_force(-k_[r] * (at_[r] + rows_[r].known), rhs_);
   for (std::size_t i = 0; i < states_.size(); ++i)
     if (states_[i].slack) states_.normal(i).add_force(states_.slack_force(i), rhs_);
@@ -164,10 +161,11 @@ void OpenClose::add_state_forces_in_turn() {
 }
 
 bool OpenClose::factorise(bool fresh, StepReport& report) {
-  apply_states();
   if (blocks_.acts) {
     if (take_blocks(fresh, report)) return true;
     leave_blocks(report);
+  } else {
+    apply_states();
   }
   if (keep_ || (current_ && !fresh && (same_matrix_ || k_ == factored_k_ || update(report)))) return true;
   return factorise_anew(report);
@@ -280,9 +278,10 @@ bool OpenClose::solve(std::span<const double> A, bool fresh, std::span<const dou
   return false;
 }
 
-void OpenClose::check(std::span<const double> d, double unbalanced, Audit& audit) const {
+void OpenClose::check(std::span<const double> d, double unbalanced, Audit& audit) {
   states_.check(d, unbalanced, audit);
-  if (d.empty()) return;  // every body is held, or explicit
+  if (d.empty()) return;             // every body is held, or explicit
+  if (blocks_.acts) apply_states();  // so far in the blocks alone
   std::vector<double> residual(d.size());
   multiply(d, residual);
   double left = 0.0;

@@ -70,7 +70,7 @@ class OpenClose {
   [[nodiscard]] bool find_left(std::span<double> left) const;
   /// Checks unknowns found against states, laws and balance; before accept().
   /// @param unbalanced  force that round-off leaves on a body: contact forces are not more accurate [N]
-  void check(std::span<const double> d, double unbalanced, Audit& audit) const;
+  void check(std::span<const double> d, double unbalanced, Audit& audit);
   /// Called after an accepted step: writes what the next one begins with into `kept`.
   void accept(KeptFactor& kept);
   /// out += forces of springs, contacts and the water in joints, at the unknowns last found. Returns the largest
@@ -100,11 +100,10 @@ class OpenClose {
   void fill_affine_rows(std::size_t point, std::span<const Vec2> driven_move);
   /// Closes the points that the first guess d of a step closes, and decides whether to solve exactly at once.
   void predict(std::span<const double> d, StepReport& report);
-  /// Finds stiffnesses and right-hand side for the states of the points.
+  /// Finds stiffnesses and right-hand side for the states of the points, where a complete factor solves.
   void apply_states();
-  /// Adds to rhs_ the forces of springs and points at no displacement: of every body on threads, or of row after row.
+  /// Adds the forces of springs and points at no displacement to rhs_.
   void add_state_forces();
-  void add_state_forces_in_turn();
   /// Adapts the factor to these states, or leaves a kept one as it is.
   [[nodiscard]] bool factorise(bool fresh, StepReport& report);
   [[nodiscard]] bool factorise_anew(StepReport& report);
@@ -130,6 +129,9 @@ class OpenClose {
   /// Assembles the matrix for the states, and makes a factor if there is no useful one.   @return false: a pivot failed
   [[nodiscard]] bool take_blocks(bool fresh, StepReport& report);
   [[nodiscard]] bool factorise_blocks(StepReport& report);
+  /// Conjugate residuals for the matrix of blocks, until what is left is below a part of the largest force, or `least`.
+  /// @return iterations; -1: not converged
+  int iterate_blocks(double part_of, double least, int most, std::span<double> d);
   /// @return false: the iteration stalls; d is unchanged
   [[nodiscard]] bool solve_blocks(std::span<double> d, StepReport& report);
   /// Changes to a complete factor for the rest of the step.
@@ -174,7 +176,6 @@ class OpenClose {
   IndexedVector<OutlineNode, std::int32_t> chart_of_node_;  // -1: none yet in this step
   std::span<const double> A_;
   std::vector<double> rhs_, base_, factored_k_, correction_;
-  std::vector<double> force_;        // scratch: of every row [N]
   std::vector<std::size_t> active_;  // rows whose stiffness is not zero
   /// A point that slips in a pass.
   struct Slipping {

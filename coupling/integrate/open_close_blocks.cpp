@@ -38,27 +38,12 @@ void OpenClose::begin_blocks() {
 
 bool OpenClose::take_blocks(bool fresh, StepReport& report) {
   BlockSolver& b = blocks_;
-  b.system.assemble(A_, fresh, std::span(k_).first(springs_->size()), states_.size(),
-                    [this](std::size_t i) { return states_.tangent(i); });
+  b.system.assemble(A_, fresh, springs_->k, springs_->at, states_.size(),
+                    [this](std::int64_t i) { return states_.linear_force(static_cast<std::size_t>(i)); });
   b.stale = true;
   // A factor of other states is used until its additional iterations cost as much as a new one.
   if (b.factor.made() && !b.worn) return true;
   return factorise_blocks(report);
-}
-
-void OpenClose::add_state_forces() {
-  force_.resize(rows_.size());
-  const std::size_t springs = springs_->size();
-  for (std::size_t r = 0; r < springs; ++r) force_[r] = -k_[r] * (at_[r] + rows_[r].known);
-  const auto of_point = [&](std::int64_t at) {
-    const auto i = static_cast<std::size_t>(at);
-    const LinearContactForce f = states_.linear_force(i);
-    const double gap = states_.normal(i).known, stretch = states_.tangential(i).known;
-    force_[springs + 2 * i] = f.normal - f.k.nn * gap - f.k.nt * stretch;
-    force_[springs + 2 * i + 1] = f.tangential - f.k.tn * gap - f.k.tt * stretch;
-  };
-  parallel_for(static_cast<std::int64_t>(states_.size()), of_point, kFewPoints);
-  blocks_.system.add_forces(force_, rhs_);
 }
 
 bool OpenClose::factorise_blocks(StepReport& report) {
@@ -93,6 +78,22 @@ bool OpenClose::solve_blocks(std::span<double> d, StepReport& report) {
   return true;
 }
 
+int OpenClose::iterate_blocks(double part_of, double least, int most, std::span<double> d) {
+  using In = std::span<const double>;
+  using Out = std::span<double>;
+  const auto unit = system_->unit();
+  const double of_bodies = parallel_largest(std::ssize(base_), [&](std::int64_t at) {
+    const auto i = static_cast<std::size_t>(at);
+    return std::abs(base_[i]) / unit[i];
+  });
+  // The forces at the first guess are known once its residual is.
+  const auto enough = [&] { return std::max(least, part_of * std::max(of_bodies, blocks_.system.largest_force())); };
+  return residuals_.solve([this](In x, Out y) { blocks_.system.balance(x, y); },
+                          [this](In x, Out y) { blocks_.system.matrix().multiply(x, y); },
+                          [this](In r, std::span<float> z) { blocks_.factor.solve(r, z); }, base_, unit, enough, most,
+                          d);
+}
+
 bool OpenClose::find_left(std::span<double> left) const {
   if (!blocks_.acts) return false;
   const auto in_units = residuals_.residual(), unit = system_->unit();
@@ -105,6 +106,7 @@ void OpenClose::leave_blocks(StepReport& report) {
   blocks_.fell_back = true;
   current_ = false;
   ++report.fallbacks;
+  apply_states();
 }
 
 void OpenClose::choose_solver() {

@@ -93,11 +93,12 @@ int OpenClose::improve(int most, std::span<double> d, StepReport& report) {
   // Friction causes most of the iterations; without it, and with the factor of the matrix, one or two are enough.
   rough_ = !exact_ && (keep_ || blocks_.acts || unsymmetric());
   const double part_of = rough_ ? kRough : blocks_.acts ? kByBlocks : kByFactor;
-  double enough = part_of * force_scale(d);
+  double least = 0.0;
   int taken = 0;
   for (bool looked = false;;) {
     const int part = std::min(most - taken, blocks_.acts || looked ? kAtOnce : kByFactorAtOnce);
-    const int more = iterate(rhs_, enough, part, d);
+    const int more = blocks_.acts ? iterate_blocks(part_of, least, part, d)
+                                  : iterate(rhs_, std::max(least, part_of * force_scale(d)), part, d);
     taken += more >= 0 ? more : part;
     if (more >= 0 || (looked && taken >= most)) {
       report.corrections += taken;
@@ -106,7 +107,8 @@ int OpenClose::improve(int most, std::span<double> d, StepReport& report) {
       return more >= 0 ? taken : -1;
     }
     // Static steps of stiff meshes: forces inside blocks are far larger than those on them, and so is their round-off.
-    enough = std::max(part_of * force_scale(d), round_off(d));
+    if (blocks_.acts) apply_states();
+    least = round_off(d);
     looked = true;
   }
 }
@@ -122,6 +124,7 @@ void OpenClose::correct(std::span<const double> left, std::span<double> d, StepR
   for (std::size_t i = 0; i < d.size(); ++i) {
     d[i] += correction_[i];
     rhs_[i] += left[i];  // the system that d solves, for check()
+    base_[i] += left[i];
   }
   states_.evaluate(d);
 }

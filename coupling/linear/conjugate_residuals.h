@@ -35,24 +35,30 @@ class ConjugateResiduals {
     return solve(A, A, inverse, b, unit, enough, most, x);
   }
   /// The same where products for corrections may round more than those of the solution.
-  /// @param exact  as A, with full accuracy: residuals of x are taken with it
-  template <class Exact, class Matrix, class Inverse>
+  /// @param exact   as A, with full accuracy: residuals of x are taken with it. It may add what does not depend on x.
+  /// @param enough  or a function that returns it, called once, after the first product
+  template <class Exact, class Matrix, class Inverse, class Enough>
   int solve(Exact&& exact, Matrix&& A, Inverse&& inverse, std::span<const double> b, std::span<const double> unit,
-            double enough, int most, std::span<double> x) {
+            Enough&& enough, int most, std::span<double> x) {
     constexpr bool kSingle = std::is_invocable_v<Inverse, std::span<const double>, std::span<float>>;
     begin(unit, kSingle);
     exact(x, product_);
     take_residual(b);
+    double limit = 0.0;
+    if constexpr (std::is_invocable_v<Enough>)
+      limit = enough();
+    else
+      limit = enough;
     std::size_t depth = 0;
     for (int taken = 0;; ++taken) {
-      if (largest_ <= enough) {
+      if (largest_ <= limit) {
         if (depth == 0) return taken;
         // The updated residual may be smaller than the true one: the loss by round-off is corrected in a restart.
         add_corrections(depth, x);
         depth = 0;
         exact(x, product_);
         take_residual(b);
-        if (largest_ <= enough) return taken;
+        if (largest_ <= limit) return taken;
       }
       const bool full = depth == kDepth, ends = taken == most || !std::isfinite(largest_);
       if (full || ends) {

@@ -69,10 +69,11 @@ class DofRows {
     const auto first = static_cast<std::size_t>(start_[i]), n = static_cast<std::size_t>(start_[i + 1]) - first;
     return {std::span(dof_).subspan(first, n), std::span(h_).subspan(first, n), known_[i]};
   }
-  /// Starts, unknowns and coefficients of all rows, one after another.
+  /// Starts, unknowns, coefficients and known parts of all rows, one after another.
   [[nodiscard]] std::span<const std::int32_t> start() const { return start_; }
   [[nodiscard]] std::span<const std::int32_t> dof() const { return dof_; }
   [[nodiscard]] std::span<const double> h() const { return h_; }
+  [[nodiscard]] std::span<const double> known() const { return known_; }
 
   /// Appends a row of sizes[i] unknowns for each i, whose numbers have no meaning before they are set; fill() gives
   /// their places, in any order.

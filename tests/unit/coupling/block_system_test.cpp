@@ -20,7 +20,7 @@ struct Sample {
   std::unique_ptr<test::ByHand> hand;
   std::unique_ptr<ImplicitSystem> system;
   DofRows rows;
-  std::vector<double> A, k;
+  std::vector<double> A, k, elongation;
   std::vector<PointTangent> points;
   std::mt19937_64 random{61};
   std::normal_distribution<double> normal;
@@ -37,6 +37,7 @@ struct Sample {
     for (int i = 0; i < kSprings; ++i) {
       add_row(i, i % 2 == 0 ? -1 : i + 1);
       k.push_back(i == 1 ? 0.0 : 3.0 + i);
+      elongation.push_back(0.25 * i);
     }
     for (int i = 0; i < kPoints; ++i) {
       const int a = i % kBodies, b = i % 4 == 3 ? -1 : (a + 1 + i % 3) % kBodies;
@@ -47,7 +48,18 @@ struct Sample {
     }
   }
   void assemble(BlockSystem& blocks, bool fresh) const {
-    blocks.assemble(A, fresh, k, points.size(), [this](std::size_t i) { return points[i]; });
+    blocks.assemble(A, fresh, k, elongation, points.size(), [this](std::int64_t i) {
+      return LinearContactForce{points[static_cast<std::size_t>(i)], 0.5 + static_cast<double>(i), -2.0};
+    });
+  }
+  /// Force of a row along its elongation.
+  [[nodiscard]] double force(std::size_t r, std::span<const double> x) const {
+    if (r < kSprings) return -k[r] * (elongation[r] + rows[r].change(x));
+    const std::size_t i = (r - kSprings) / 2;
+    const double gap = rows[kSprings + 2 * i].change(x), stretch = rows[kSprings + 2 * i + 1].change(x);
+    const PointTangent& of = points[i];
+    return (r - kSprings) % 2 == 0 ? 0.5 + static_cast<double>(i) - of.nn * gap - of.nt * stretch
+                                   : -2.0 - of.tn * gap - of.tt * stretch;
   }
   void add_row(int a, int b) {
     rows.begin_row();
@@ -96,15 +108,19 @@ TEST(BlockSystem, sums_springs_and_points_as_dense_algebra_does) {
   Eigen::VectorXd x = Eigen::VectorXd::Random(6 * kBodies), y(6 * kBodies);
   blocks.multiply(std::span<const double>(x.data(), 30), std::span<double>(y.data(), 30));
   EXPECT_LT((y - exact * x).cwiseAbs().maxCoeff(), 1e-13 * exact.cwiseAbs().maxCoeff());
-  // Forces of the rows alone.
-  std::vector<double> force(s.rows.size()), sum(y.data(), y.data() + y.size());
-  for (std::size_t r = 0; r < force.size(); ++r) {
-    force[r] = static_cast<double>(r) - 3.5;
-    s.rows[r].add_force(force[r], sum);
+  // The same with the forces of springs and points, row by row.
+  std::vector<double> left(y.data(), y.data() + y.size());
+  double largest = 0.0;
+  s.system->pattern().multiply(s.A, std::span<const double>(x.data(), 30), left);
+  for (std::size_t r = 0; r < s.rows.size(); ++r) {
+    const double force = s.force(r, std::span<const double>(x.data(), 30));
+    largest = std::max(largest, std::abs(force));
+    s.rows[r].add_force(-force, left);
   }
-  blocks.add_forces(force, std::span<double>(y.data(), 30));
-  const Eigen::Map<const Eigen::VectorXd> in_turn(sum.data(), y.size());
-  EXPECT_LT((y - in_turn).cwiseAbs().maxCoeff(), 1e-13 * in_turn.cwiseAbs().maxCoeff());
+  blocks.balance(std::span<const double>(x.data(), 30), std::span<double>(y.data(), 30));
+  const Eigen::Map<const Eigen::VectorXd> in_turn(left.data(), y.size());
+  EXPECT_LT((y - in_turn).cwiseAbs().maxCoeff(), 1e-13 * exact.cwiseAbs().maxCoeff());
+  EXPECT_NEAR(blocks.largest_force(), largest, 1e-13 * largest);
 }
 
 TEST(BlockSystem, rows_summed_again_have_the_bits_of_a_new_matrix) {
