@@ -12,7 +12,7 @@
 #include "app/library_faults.h"
 #include "app/output.h"
 #include "app/signals.h"
-#include "app/waiting_threads.h"
+#include "app/process_settings.h"
 #include "coupling/stages/driver.h"
 #include "io/case/case_error.h"
 #include "io/results/file_error.h"
@@ -42,7 +42,7 @@ void end_of_library(int code, void* /*unused*/) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  if (argc > 1 && computes(argv[1])) let_threads_sleep(argv);
+  if (argc > 1 && computes(argv[1])) restart_with_settings(argv);
   open_standard_streams();
   take_signals_of_writes();
   take_faults_of_hdf5();

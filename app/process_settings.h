@@ -16,6 +16,6 @@ namespace scree::app {
 /// before main and has no call for this setting, so the program restarts itself once, with a BLAS on one thread as
 /// well: that library starts threads which nothing uses. If it cannot restart, it continues unchanged.
 /// @param argv  as passed to main
-void let_threads_sleep(char** argv);
+void restart_with_settings(char** argv);
 
 }  // namespace scree::app

@@ -1,4 +1,4 @@
-#include "app/waiting_threads.h"
+#include "app/process_settings.h"
 
 #include <unistd.h>
 
@@ -11,7 +11,7 @@ bool computes(std::string_view command) {
          command == "fos";
 }
 
-void let_threads_sleep(char** argv) {
+void restart_with_settings(char** argv) {
   constexpr const char* kSpins = "GOMP_SPINCOUNT";
   if (std::getenv("OMP_WAIT_POLICY") != nullptr || std::getenv(kSpins) != nullptr) return;
   // A BLAS with threads of its own starts them before main, and they spin for 25 ms each until they sleep. Scree calls
