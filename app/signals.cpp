@@ -30,6 +30,9 @@ extern "C" void on_signal(int signal) {
   if (signal != SIGHUP && now() - first >= kTogether) ::_exit(kInterrupted);
 }
 
+volatile std::sig_atomic_t of_loop = 0;
+extern "C" void on_signal_of_loop(int signal) { of_loop = signal; }
+
 }  // namespace
 
 Signals::Signals(bool prints) : prints_(prints) {
@@ -49,6 +52,13 @@ void take_signals_of_runs() {
   if (std::signal(SIGHUP, on_signal) == SIG_IGN) std::signal(SIGHUP, SIG_IGN);
   std::signal(SIGPIPE, SIG_IGN);
 }
+
+void take_signals_of_loops(std::initializer_list<int> signals) {
+  of_loop = 0;
+  for (const int signal : signals) std::signal(signal, on_signal_of_loop);
+}
+
+bool loop_is_to_end() { return of_loop != 0; }
 
 void take_signals_of_writes() {
   std::signal(SIGXFSZ, SIG_IGN);

@@ -1,6 +1,8 @@
 // What stops a run: Ctrl-C, SIGTERM, a terminal that was closed, output that nobody reads any more.
 #pragma once
 
+#include <initializer_list>
+
 #include "coupling/sink.h"
 
 namespace scree::app {
@@ -28,6 +30,11 @@ class Signals final : public coupling::Control {
 /// SIGHUP that was ignored when the program was started (nohup) stays ignored. From then on a write to a pipe without
 /// a reader is an error of the write and does not end the program.
 void take_signals_of_runs();
+
+/// From then on these signals end a loop that asks whether one came, instead of the program: viewers and replays, which
+/// have a terminal or a server to leave.
+void take_signals_of_loops(std::initializer_list<int> signals);
+[[nodiscard]] bool loop_is_to_end();
 
 /// From then on a file that grows beyond a limit (ulimit -f) is an error of the write, like a full disk, and does not
 /// end the program. A write to a pipe without a reader ends the program silently, as it ends other commands, whatever

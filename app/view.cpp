@@ -11,6 +11,7 @@
 #include "app/output.h"
 #include "app/own_folder.h"
 #include "app/session.h"
+#include "app/signals.h"
 #include "coupling/plan.h"
 #include "coupling/stages/driver.h"
 #include "io/case/read_case.h"
@@ -27,9 +28,6 @@ extern char** environ;  // NOLINT(readability-redundant-declaration): POSIX has 
 
 namespace scree::app {
 namespace {
-
-volatile std::sig_atomic_t stop_signal = 0;
-extern "C" void on_view_signal(int signal) { stop_signal = signal; }
 
 /// The model of a case as its run would begin: the results of a run that takes no step. The file that was read stays
 /// open after its folder is removed.
@@ -79,12 +77,11 @@ int serve(io::Site& site, const ViewOptions& options, const std::string& token =
     complain("error: {}\n", e.what());
     return kFiles;
   }
-  stop_signal = 0;
-  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) std::signal(signal, on_view_signal);
+  take_signals_of_loops({SIGINT, SIGTERM, SIGHUP});
   const std::string address = server->address() + (token.empty() ? "" : "#token=" + token);
   say("{}\n", address);
   if (options.open) open_browser(address);
-  server->run([] { return stop_signal != 0; });
+  server->run(loop_is_to_end);
   return kDone;
 }
 

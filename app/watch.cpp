@@ -10,6 +10,7 @@
 #include "app/commands.h"
 #include "app/output.h"
 #include "app/screen.h"
+#include "app/signals.h"
 #include "coupling/plan.h"
 #include "io/live/live_url.h"
 #include "io/watch/dashboard.h"
@@ -19,15 +20,6 @@ namespace scree::app {
 namespace {
 
 using SteadyClock = std::chrono::steady_clock;
-
-volatile std::sig_atomic_t stop_signal = 0;
-extern "C" void on_watch_signal(int signal) { stop_signal = signal; }
-
-/// Ctrl-C and the like end the loop instead of the program, so that the terminal is put back.
-void take_signals() {
-  stop_signal = 0;
-  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) std::signal(signal, on_watch_signal);
-}
 
 void print(const io::Dashboard& run) {
   const TerminalSize size = terminal_size();
@@ -79,7 +71,7 @@ bool complete(const io::Dashboard& run, double since_info) {
 }
 
 int watch_live(const WatchOptions& options, const std::string& url) {
-  take_signals();
+  take_signals_of_loops({SIGINT, SIGTERM, SIGHUP});  // so that the terminal is put back
   const SteadyClock::time_point start = SteadyClock::now();
   std::string why;
   auto reader = io::LiveReader::open(url, options.run, why);
@@ -105,7 +97,7 @@ int watch_live(const WatchOptions& options, const std::string& url) {
     const io::Dashboard& run = source.refresh();
     const bool known = !run.run.empty();
     if (known && !info_at) info_at = SteadyClock::now();
-    if (stop_signal != 0) return leave(run, kInterrupted);
+    if (loop_is_to_end()) return leave(run, kInterrupted);
     if (known && io::has_ended(run)) return leave(run, kDone);
     if (known && (ended || (options.once && complete(run, passed(*info_at))))) return leave(run, kDone);
     if (options.seconds && passed(start) >= *options.seconds) {

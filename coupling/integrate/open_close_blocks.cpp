@@ -18,9 +18,10 @@ constexpr double kQuietSolutions = 4.0;
 
 /// One iteration: the product and the incomplete factor read all blocks once each, the latter in half the memory;
 /// orthogonalisation reads the unknowns some ten times.
-double iteration_work(double blocks, double bodies) { return 1.6 * blocks + 4.0 * bodies; }
-/// An incomplete factor: some 4 products of two blocks for each below the diagonal, and an inverse per body.
-double incomplete_work(double blocks, double bodies) { return 4.0 * blocks + 10.0 * bodies; }
+double iteration_work(double blocks, double bodies) { return 1.75 * blocks + 4.0 * bodies; }
+/// An incomplete factor: some 4 products of two blocks for each below the diagonal, of which it has a third more than
+/// the matrix, and an inverse per body.
+double incomplete_work(double blocks, double bodies) { return 8.0 * blocks + 10.0 * bodies; }
 /// One solution with a complete factor. Fill of n bodies in a plane, ordered by minimum degree, is about n log n.
 double solution_work(double bodies) { return 8.0 * bodies * std::log2(bodies + 1.0); }
 
@@ -72,7 +73,7 @@ bool OpenClose::solve_blocks(std::span<double> d, StepReport& report) {
     std::copy(b.first_guess.begin(), b.first_guess.end(), d.begin());
     return false;
   }
-  constexpr int kWorn = 4;  // iterations that cost as much as a factor
+  constexpr int kWorn = 5;  // iterations that cost as much as a factor
   if (b.fresh_iterations < 0) b.fresh_iterations = taken;
   b.worn = taken > b.fresh_iterations + kWorn;
   return true;

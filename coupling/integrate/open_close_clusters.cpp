@@ -148,7 +148,7 @@ bool OpenClose::solve_cluster(std::span<double> d) {
                                       [&](std::span<const double> r, std::span<float> z) { c.factor.solve(r, z); },
                                       c.residual, c.unit, kRough * largest, kMost, c.change);
   if (taken < 0) return false;
-  blocks_.work += static_cast<double>(c.matrix.blocks()) * (4.0 + 1.6 * taken);
+  blocks_.work += static_cast<double>(c.matrix.blocks()) * (8.0 + 1.75 * taken);
   for (std::size_t k = 0; k < c.cluster.size(); ++k)
     for (std::size_t j = 0; j < kSide; ++j)
       d[kSide * static_cast<std::size_t>(c.cluster[k]) + j] += c.change[kSide * k + j];

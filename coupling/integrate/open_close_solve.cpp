@@ -84,15 +84,13 @@ int OpenClose::iterate(std::span<const double> rhs, double enough, int most, std
 }
 
 int OpenClose::improve(int most, std::span<double> d, StepReport& report) {
-  // Of the largest force. The work of what is left adds up over the steps of a slide; with a complete factor less of it
-  // costs a few iterations in a hundred more.
-  constexpr double kByBlocks = 1e-13, kByFactor = 3e-14;
-  constexpr double kRough = 1e-7;  // while states still switch
+  // Of the largest force. The work of what is left adds up over the steps of a slide.
+  constexpr double kAccurate = 3e-14, kRough = 1e-7;  // the latter while states still switch
   // A complete factor mostly takes fewer than eight: then round-off is probably above what is asked for.
   constexpr int kAtOnce = ConjugateResiduals::kDepth, kByFactorAtOnce = 8;
   // Friction causes most of the iterations; without it, and with the factor of the matrix, one or two are enough.
   rough_ = !exact_ && (keep_ || blocks_.acts || unsymmetric());
-  const double part_of = rough_ ? kRough : blocks_.acts ? kByBlocks : kByFactor;
+  const double part_of = rough_ ? kRough : kAccurate;
   double least = 0.0;
   int taken = 0;
   for (bool looked = false;;) {
@@ -121,10 +119,10 @@ void OpenClose::correct(std::span<const double> left, std::span<double> d, StepR
   correction_.assign(d.size(), 0.0);
   const int taken = iterate(left, kPart * largest, kMost, correction_);
   report.corrections += taken >= 0 ? taken : kMost;
+  std::vector<double>& rhs = blocks_.acts ? base_ : rhs_;  // of the system that d solves, for check()
   for (std::size_t i = 0; i < d.size(); ++i) {
     d[i] += correction_[i];
-    rhs_[i] += left[i];  // the system that d solves, for check()
-    base_[i] += left[i];
+    rhs[i] += left[i];
   }
   states_.evaluate(d);
 }

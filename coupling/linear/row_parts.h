@@ -22,7 +22,7 @@ struct RowParts {
 /// (breadth first), whose fronts are the separator. One part has the rows in their own order and no separator. The
 /// result depends on the pattern alone.
 /// @param parts  at least 1
-/// @source [George1981] 4.3 (rooted level structures), 8 (one-way dissection)
+/// @source [Saad2003] 3.3.3 (level sets), 14.2 (parts and separator)
 [[nodiscard]] RowParts cut_rows(const BlockMatrix& A, std::int32_t parts);
 
 }  // namespace scree::coupling
