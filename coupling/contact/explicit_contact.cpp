@@ -15,7 +15,7 @@
 namespace scree::coupling {
 namespace {
 
-constexpr std::int64_t kFewPoints = 1024, kFewNodes = 16384;  // fewer points and nodes are not worth waking threads
+constexpr std::int64_t kFewPoints = 1024;  // fewer are not worth waking threads
 
 /// Input of the law for a point; at rest until a step sets its motion.
 PointMotion motion_of(const ContactPoint& p) {
@@ -33,7 +33,8 @@ ExplicitContact::ExplicitContact(const Setup& setup, double detection, bool chec
       finder_(setup, detection),
       friction_check_(setup),
       friction_evolution_(setup.laws().all()),
-      checks_friction_(check_friction) {
+      checks_friction_(check_friction),
+      node_forces_(setup, 2 * setup.outlines().vertices.size()) {
   const std::size_t expected = 2 * setup.outlines().vertices.size();  // so that steps need not allocate
   for (ContactList* list : {&before_, &ahead_, &left_list_}) {
     list->points.reserve(expected);
@@ -49,10 +50,6 @@ ExplicitContact::ExplicitContact(const Setup& setup, double detection, bool chec
   kinds_.reserve(expected);
   slides_.reserve(expected);
   energy_.reserve(expected);
-  forces_.resize(setup.outlines().nodes.size());
-  rests_.assign(forces_.size(), 1);
-  for (const IndexRange<OutlineNode> r : setup.outlines().moving_nodes)
-    for (const OutlineNode n : r) rests_[n] = 0;
   for (const BodyIndex body : setup.outlines().node_body)
     ghost_.push_back(setup.body(body).ghost || setup.body(body).divided ? 1 : 0);
   chunks_.resize((expected + kContactChunk - 1) / kContactChunk);
@@ -122,51 +119,7 @@ void ExplicitContact::undo() {
   indexed_ = can_undo_ = false;
 }
 
-void ExplicitContact::add(std::span<double> f) const { add(*list_, f); }
-
-void ExplicitContact::add(const ContactList& list, std::span<double> f) const {
-  if (list.points.empty()) return;
-  const Outlines& o = setup_->outlines();
-  const std::int32_t nodes = o.nodes.indices().size();
-  const std::int64_t parts = std::ssize(list.points) < kFewPoints ? 1 : omp_get_max_threads();
-  const auto begin_of = [&](std::int64_t part) { return OutlineNode::of(nodes * part / parts); };
-  const auto for_moving = [&](OutlineNode begin, OutlineNode end, const auto& of_node) {
-    for (const IndexRange<OutlineNode> r : o.moving_nodes)
-      for (const OutlineNode n : IndexRange(std::clamp(r.first(), begin, end), std::clamp(r.end_index(), begin, end)))
-        of_node(n);
-  };
-  // The outline nodes are divided into parts, one per thread. Each part adds the forces of all points on its nodes in
-  // the order of the points, so that sums do not depend on the number of parts. Bodies at rest take no force: they may
-  // have many nodes, which steps do not visit.
-  const auto collect = [&](std::int64_t part) {
-    const OutlineNode begin = begin_of(part), end = begin_of(part + 1);
-    for_moving(begin, end, [&](OutlineNode n) { forces_[n].setZero(); });
-    const auto takes = [&](OutlineNode node) { return node >= begin && node < end && rests_[node] == 0; };
-    for (std::size_t i = 0; i < list.points.size(); ++i) {
-      const ContactPoint& p = list.points[i];
-      const ContactMemory& m = list.memory[i];
-      const double normal = m.fn + m.water;
-      if (normal == 0.0 && m.ft == 0.0) continue;
-      const std::array taken{takes(p.node[0]), takes(p.node[1]), takes(p.node[2])};
-      if (!taken[0] && !taken[1] && !taken[2]) continue;
-      const ContactRow gap = gap_row(p.at), stretch = stretch_row(p.at, m.anchor);
-      for (std::size_t k = 0; k < 3; ++k)
-        if (taken[k]) forces_[p.node[k]] += normal * gap[k] + m.ft * stretch[k];
-    }
-  };
-  parallel_for(parts, collect, 2);
-  // Parts begin with a body here: bodies share no node of the state.
-  const auto first_of_body = [&](OutlineNode i) {
-    while (i.value > 0 && i.value < nodes && o.node_body[i] == o.node_body[i - 1]) i = i + 1;
-    return i;
-  };
-  const auto pass_on = [&](std::int64_t part) {
-    for_moving(first_of_body(begin_of(part)), first_of_body(begin_of(part + 1)), [&](OutlineNode n) {
-      if (!forces_[n].isZero(0.0)) add_force(o.nodes[n], forces_[n], f);
-    });
-  };
-  parallel_for(parts, pass_on, nodes < kFewNodes ? parts + 1 : 2);
-}
+void ExplicitContact::add(std::span<double> f) const { node_forces_.add(*list_, f); }
 
 template <class OfRange>
 void ExplicitContact::for_points(Ledger& ledger, OfRange&& of_range) {
@@ -197,7 +150,7 @@ void ExplicitContact::foresee(double h, std::span<const double> q, std::span<con
   set_velocities(v, v_);
   respond(h, ahead_);
   (void)finder_.adopt_kinds(ahead_);
-  add(ahead_, f);
+  node_forces_.add(ahead_, f);
 }
 
 void ExplicitContact::foresee_again(double h, std::span<const double> q, std::span<const double> v,
@@ -208,14 +161,14 @@ void ExplicitContact::foresee_again(double h, std::span<const double> q, std::sp
   set_velocities(v, v_);
   respond(h, ahead_);
   (void)finder_.adopt_kinds(ahead_);
-  add(ahead_, f);
+  node_forces_.add(ahead_, f);
 }
 
 void ExplicitContact::set_velocities(std::span<const double> v, IndexedVector<OutlineNode, Vec2>& out) const {
   const Outlines& o = setup_->outlines();
   if (out.size() != o.nodes.size()) out.assign(o.nodes.size(), Vec2::Zero());  // bodies that rest have none
   for (const IndexRange<OutlineNode> r : o.moving_nodes)
-    for (const OutlineNode n : r) out[n] = position(o.nodes[n], v);
+    parallel_for(r, [&](OutlineNode n) { out[n] = position(o.nodes[n], v); });
 }
 
 ExplicitContact::Half ExplicitContact::half_work(double h, const ContactPoint& p, const ContactMemory& m,

@@ -8,6 +8,7 @@
 #include "coupling/contact/audit/friction_check.h"
 #include "coupling/contact/contact_energy.h"
 #include "coupling/contact/law/friction_evolution.h"
+#include "coupling/contact/node_forces.h"
 
 namespace scree::coupling {
 
@@ -100,7 +101,6 @@ class ExplicitContact {
   [[nodiscard]] Left left_by(double h, const ContactPoint& p, const ContactMemory& m) const;
   /// Velocities of the outline nodes.
   void set_velocities(std::span<const double> v, IndexedVector<OutlineNode, Vec2>& out) const;
-  void add(const ContactList& list, std::span<double> f) const;
   /// True if another integrator moves one of the point's bodies, or a half of it.
   [[nodiscard]] bool on_ghost(const ContactPoint& p) const;
   /// In an impact a spring that passes to another edge or tip has there the energy that remains after the work of its
@@ -181,9 +181,8 @@ class ExplicitContact {
   std::vector<Slide> slides_;        // points that the check of friction follows
   std::vector<double> energy_;       // of the springs, per point [J]
   std::vector<Chunk> chunks_;
-  mutable IndexedVector<OutlineNode, Vec2> forces_;  // on nodes that move, scratch of add() [N]
-  IndexedVector<OutlineNode, char> rests_;           // per outline node: 1 where its body rests
-  IndexedVector<OutlineNode, char> ghost_;  // the same: 1 where another integrator moves its body, or a half of it
+  mutable NodeForces node_forces_;          // keeps scratch
+  IndexedVector<OutlineNode, char> ghost_;  // per outline node: 1 where another integrator moves its body, or a half of it
   std::vector<double> opened_;              // by dilation in the step, per point of the present list [m]
 };
 

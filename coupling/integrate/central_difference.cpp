@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <compare>
 #include <utility>
@@ -10,6 +11,7 @@
 #include "coupling/integrate/lost_state.h"
 #include "coupling/integrate/support_release.h"
 #include "coupling/integrate/viscous_edges.h"
+#include "model/parallel.h"
 
 namespace scree::coupling {
 namespace {
@@ -561,9 +563,11 @@ void CentralDifference::leave(State& state) {
 
 double CentralDifference::stable_step(const State& state, std::string* binding) {
   const ContactList& list = contact_.list();
-  bound_.clear();
-  for (std::size_t i = 0; i < list.points.size(); ++i)
-    bound_.push_back({list.points[i].key, std::max(list.memory[i].kn, list.memory[i].kt) + list.points[i].margin});
+  bound_.resize(list.points.size());
+  parallel_for(std::ssize(bound_), [&](std::int64_t at) {
+    const auto i = static_cast<std::size_t>(at);
+    bound_[i] = {list.points[i].key, std::max(list.memory[i].kn, list.memory[i].kt) + list.points[i].margin};
+  });
   if (!step_bound_) step_bound_.emplace(*setup_);
   return step_bound_->certified_step({contact_.list(), point_springs(*setup_, state), dashpots(*setup_, state),
                                       damping_, bolt_springs(*setup_, state)},
@@ -572,15 +576,23 @@ double CentralDifference::stable_step(const State& state, std::string* binding) 
 
 bool CentralDifference::step_still_stable() const {
   const ContactList& list = contact_.list();
-  // A contact that has ended leaves the bound safe; one that is new or has grown stiffer is not covered.
-  std::size_t at = 0;
-  for (std::size_t i = 0; i < list.points.size(); ++i) {
-    auto order = std::strong_ordering::less;
-    while (at < bound_.size() && (order = bound_[at].key <=> list.points[i].key) < 0) ++at;
-    if (order != 0) return false;
-    if (std::max(list.memory[i].kn, list.memory[i].kt) > bound_[at++].stiffness) return false;
-  }
-  return true;
+  // A contact that has ended leaves the bound safe; one that is new or has grown stiffer is not covered. Both lists are
+  // in the order of their keys.
+  const auto covered = [&](std::int64_t begin, std::int64_t end) {
+    const auto before = [](const IntegratorMemory::Bound& b, const ContactKey& key) { return b.key < key; };
+    auto at = std::lower_bound(bound_.begin(), bound_.end(), list.points[static_cast<std::size_t>(begin)].key, before);
+    for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i, ++at) {
+      while (at != bound_.end() && at->key < list.points[i].key) ++at;
+      if (at == bound_.end() || at->key != list.points[i].key) return false;
+      if (std::max(list.memory[i].kn, list.memory[i].kt) > at->stiffness) return false;
+    }
+    return true;
+  };
+  std::atomic<bool> all = true;
+  parallel_for_chunks(std::ssize(list.points), [&](std::int64_t begin, std::int64_t end) {
+    if (all.load(std::memory_order_relaxed) && !covered(begin, end)) all.store(false, std::memory_order_relaxed);
+  });
+  return all;
 }
 
 }  // namespace scree::coupling

@@ -5,6 +5,7 @@
 
 #include "coupling/integrate/point_springs.h"
 #include "model/dense_algebra.h"
+#include "model/parallel.h"
 
 namespace scree::coupling {
 
@@ -52,28 +53,32 @@ void SlidingDamping::begin() {
 
 void SlidingDamping::count(const Outlines& outlines, const ContactList& list) {
   const auto carries = [](const ContactMemory& m) { return m.status != ContactStatus::open && m.fn > 0.0; };
-  const auto body_of = [&](std::size_t i, std::size_t end) {
-    return outlines.node_body[list.points[i].node[end]].index();
+  const auto slides = [&](std::int64_t at) {
+    const ContactMemory& m = list.memory[static_cast<std::size_t>(at)];
+    return m.slide.last.slip != 0.0F && carries(m) ? 1.0 : 0.0;
   };
-  bool any = false;
-  for (std::size_t i = 0; i < list.points.size(); ++i) {
+  if (parallel_largest(std::ssize(list.points), slides) == 0.0) return;
+  const auto take = [&](std::int64_t at, std::vector<Carrier>& out) {
+    const auto i = static_cast<std::size_t>(at);
     const ContactMemory& m = list.memory[i];
-    if (m.slide.last.slip == 0.0F || !carries(m)) continue;
+    if (!carries(m)) return;
+    const auto& node = list.points[i].node;
+    Carrier& c = out.emplace_back();
+    for (std::size_t end = 0; end < 2; ++end) c.body[end] = outlines.node_body[node[end]].index();
+    c.force = m.fn;
+    if (m.slide.last.slip == 0.0F) return;
     const auto joint = static_cast<std::size_t>(m.joint);
     const Strength now = strength((*laws_)[joint], laws_->tan_friction(joint), m);
-    const double slides = m.fn * sliding_part(now, m), mu = now.coefficient;
-    for (const std::size_t end : {std::size_t{0}, std::size_t{1}}) {
-      slipping_[body_of(i, end)] += slides;
-      steep_[body_of(i, end)] += slides * mu * mu * mu;
+    c.slides = m.fn * sliding_part(now, m);
+    c.steep = c.slides * now.coefficient * now.coefficient * now.coefficient;
+  };
+  parallel_list(std::ssize(list.points), by_chunk_, carriers_, take);
+  for (const Carrier& c : carriers_)
+    for (const std::size_t body : c.body) {
+      all_[body] += c.force;
+      slipping_[body] += c.slides;
+      steep_[body] += c.steep;
     }
-    any = true;
-  }
-  if (!any) return;
-  for (std::size_t i = 0; i < list.points.size(); ++i) {
-    const ContactMemory& m = list.memory[i];
-    if (!carries(m)) continue;
-    for (const std::size_t end : {std::size_t{0}, std::size_t{1}}) all_[body_of(i, end)] += m.fn;
-  }
 }
 
 double SlidingDamping::sliding_part(const Strength& now, const ContactMemory& m) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <span>
 #include <vector>
 
@@ -48,6 +49,11 @@ class SlidingDamping {
  private:
   /// Part of a sliding point's strength that is friction; 0 once its slip has reversed.
   [[nodiscard]] static double sliding_part(const Strength& now, const ContactMemory& m);
+  /// A contact point that bears.
+  struct Carrier {
+    std::array<std::size_t, 2> body{};
+    double force = 0.0, slides = 0.0, steep = 0.0;  // what it adds to all_, slipping_ and steep_
+  };
 
   bool used_ = false;
   const JointLaws* laws_ = nullptr;
@@ -55,6 +61,8 @@ class SlidingDamping {
   std::vector<double> slipping_, all_;  // per body: normal forces of its contacts [N]
   std::vector<double> steep_;           // per body: cubes of friction, weighted by slipping_ [N]
   std::vector<double> rate_;
+  std::vector<Carrier> carriers_;               // scratch of count()
+  std::vector<std::vector<Carrier>> by_chunk_;  // the same
 };
 
 /// Lowest frequency of affine deformation of a free body, w^2 the fourth eigenvalue of K - w^2 M on displacements

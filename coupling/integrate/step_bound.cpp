@@ -6,6 +6,8 @@
 #include <cmath>
 #include <limits>
 
+#include "model/parallel.h"
+
 namespace scree::coupling {
 namespace {
 
@@ -90,24 +92,29 @@ double StepBound::sum(std::int32_t group, bool viscous) const {
 
 void StepBound::collect_contacts(const StepParts& in) {
   const Outlines& o = setup_->outlines();
-  for (std::size_t i = 0; i < in.contacts.points.size(); ++i) {
-    const ContactPoint& p = in.contacts.points[i];
+  const auto& points = in.contacts.points;
+  sizes_.resize(points.size());
+  parallel_for(std::ssize(points), [&](std::int64_t at) {
+    const auto i = static_cast<std::size_t>(at);
+    const ContactPoint& p = points[i];
     const auto mu_of = [&](std::size_t n) { return node_compliance_[p.node[n]]; };
     // The foot lies between the ends (or a little beyond): its compliance is at most that of a combination of the two.
     const double reach = std::max({1.0, std::abs(p.at.xi), std::abs(1.0 - p.at.xi)});
     const double mu = mu_of(0) + reach * reach * std::max(mu_of(1), mu_of(2));
     const ContactMemory& m = in.contacts.memory[i];
     const double k = (std::max(m.kn, m.kt) + p.margin) / shortens_[static_cast<std::size_t>(m.joint)];
-    const double size = k * mu;
-    const std::span<const std::int32_t> of_corner = of_node_[p.node[0]], of_foot = of_segment_[p.segment];
-    if (listed_) {
-      add(Kind::contact, o.node_body[p.node[1]], size, of_corner);
-      add(Kind::contact, o.node_body[p.node[0]], size, of_foot);
-      continue;
+    sizes_[i] = {k * mu, p.node[0], p.segment};
+  });
+  if (listed_)
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      add(Kind::contact, o.node_body[points[i].node[1]], sizes_[i].size, of_node_[sizes_[i].corner]);
+      add(Kind::contact, o.node_body[points[i].node[0]], sizes_[i].size, of_segment_[sizes_[i].foot]);
     }
-    for (const std::int32_t g : of_corner) stiff_[static_cast<std::size_t>(g)] += size;
-    for (const std::int32_t g : of_foot) stiff_[static_cast<std::size_t>(g)] += size;
-  }
+  else
+    for (const Size& s : sizes_) {
+      for (const std::int32_t g : of_node_[s.corner]) stiff_[static_cast<std::size_t>(g)] += s.size;
+      for (const std::int32_t g : of_segment_[s.foot]) stiff_[static_cast<std::size_t>(g)] += s.size;
+    }
 }
 
 void StepBound::collect(const StepParts& in) {

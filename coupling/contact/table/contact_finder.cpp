@@ -279,8 +279,10 @@ void ContactFinder::set_damping(ContactPoint& p, const ContactMemory& m) const {
   // In proportion to the share, as the springs: in proportion to sqrt(k) it is unbounded per length of a small overlap.
   const double part =
       p.full_tributary > 0.0 && m.edge_edge != 0 ? std::sqrt(std::min(1.0, m.tributary / p.full_tributary)) : 1.0;
-  p.cn = 2.0 * fraction * part * std::sqrt(m.kn / mu);
-  p.ct = m.kt == m.kn ? p.cn : 2.0 * fraction * part * std::sqrt(m.kt / mu);
+  const double cn = 2.0 * fraction * part * std::sqrt(m.kn / mu),
+               ct = m.kt == m.kn ? cn : 2.0 * fraction * part * std::sqrt(m.kt / mu);
+  p.cn = cn;  // both in one instruction: soon after, both are read by one, which otherwise waits for all earlier writes
+  p.ct = ct;
 }
 
 bool ContactFinder::goes_over(const ContactPoint& from, const ContactPoint& to) const {
