@@ -21,8 +21,8 @@ int replay(const ReplayOptions& options) {
   io::LiveReplay run(options.run, url, options.name);
   say("{}: {} frames, {:.6g} to {:.6g} s, to {}\n", run.name(), run.times().size(), run.times().front(),
       run.times().back(), url);
-  const io::ReplayCounts counts = run.run(
-      options.speed, loop_is_to_end, [](const std::string& text) { complain("warning: {}\n", text); });
+  const io::ReplayCounts counts =
+      run.run(options.speed, loop_is_to_end, [](const std::string& text) { complain("warning: {}\n", text); });
   say("{} of {} frames sent\n", counts.sent, counts.frames);
   return counts.complete ? kDone : kInterrupted;
 }

@@ -74,7 +74,9 @@ double parallel_sum(std::int64_t n, std::vector<double>& partial, Chunk&& chunk,
   partial.resize(static_cast<std::size_t>((n + kChunk - 1) / kChunk));
   parallel_for_chunks(
       n,
-      [&](std::int64_t begin, std::int64_t end) { partial[static_cast<std::size_t>(begin / kChunk)] = chunk(begin, end); },
+      [&](std::int64_t begin, std::int64_t end) {
+        partial[static_cast<std::size_t>(begin / kChunk)] = chunk(begin, end);
+      },
       serial_below);
   double sum = 0.0;
   for (double p : partial) sum += p;

@@ -14,13 +14,13 @@ struct BlockSolver {
   explicit BlockSolver(const ImplicitSystem& of) : system(of) {}
   BlockSystem system;
   BlockIlu factor;
-  std::vector<double> first_guess;     // of the unknowns in a pass
-  bool acts = false;                   // this step is solved by blocks
-  bool fell_back = false;              // this step began by blocks and changed to a complete factor
-  bool stale = false;                  // the factor was made for other contact states
-  bool worn = false;                   // its additional iterations cost more than a new factor
-  int fresh_iterations = -1;           // iterations when the factor was new; -1: not used yet
-  double work = 0.0;                   // work of the step, in products of a block and a vector
+  std::vector<double> first_guess;  // of the unknowns in a pass
+  bool acts = false;                // this step is solved by blocks
+  bool fell_back = false;           // this step began by blocks and changed to a complete factor
+  bool stale = false;               // the factor was made for other contact states
+  bool worn = false;                // its additional iterations cost more than a new factor
+  int fresh_iterations = -1;        // iterations when the factor was new; -1: not used yet
+  double work = 0.0;                // work of the step, in products of a block and a vector
 };
 
 /// Clusters of bodies; contact states are settled in one cluster after the other.

@@ -131,13 +131,13 @@ class ContactStates {
   const ContactList* list_ = nullptr;
   std::vector<double> mass_;  // per body, from its polygon in the model [kg]
   std::vector<ContactTrial> trial_;
-  std::vector<Strength> strength_;                               // of the points
-  std::vector<double> weight_;                                   // of the lighter free body at a point [N]
-  double largest_force_ = 0.0;      // of the points' normal forces in a pass [N]
-  double gap_round_off_ = 0.0;      // of a gap, from that of positions [m]
-  Proposals proposed_;              // of points that change in a pass
-  std::vector<Proposals> by_chunk_;  // scratch: the same, of every chunk of points
-  IndexedVector<BodyIndex, double> worst_;                       // per body: largest violation of its points [N]
+  std::vector<Strength> strength_;          // of the points
+  std::vector<double> weight_;              // of the lighter free body at a point [N]
+  double largest_force_ = 0.0;              // of the points' normal forces in a pass [N]
+  double gap_round_off_ = 0.0;              // of a gap, from that of positions [m]
+  Proposals proposed_;                      // of points that change in a pass
+  std::vector<Proposals> by_chunk_;         // scratch: the same, of every chunk of points
+  IndexedVector<BodyIndex, double> worst_;  // per body: largest violation of its points [N]
   std::vector<std::size_t> changed_;
   std::string letters_;
 };

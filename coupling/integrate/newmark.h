@@ -31,7 +31,7 @@ struct ImplicitOptions {
   bool damp_rigid_motion = false;  // it acts on the whole velocity, not only on its non-affine part
   double stiffness_damping = 0.0;  // [s]
   double sliding_damping = 0.0;    // of the deformation of sliding blocks, a fraction of critical
-  double together = 1e-9;  // of the interface iteration: largest residual force over the largest force
+  double together = 1e-9;          // of the interface iteration: largest residual force over the largest force
   OpenClose::Factor factor = OpenClose::Factor::chosen;
 };
 
@@ -121,8 +121,7 @@ class Newmark final : public TimeIntegrator {
   /// Makes the kept tangent and its factor those of the system again.
   void take_tangent(const State& state, double h);
   void add_affine_damping(const State& state, std::span<const double> rate, std::span<double> out);
-  /// Newton's iteration of one step.
-  struct NewtonLoop {
+  struct NewtonLoop {  // Newton's iteration of one step
     std::vector<double> affine, moved;  // damping forces that exclude affine motion [N]; d_ of nonlinear unknowns
     Stiffness kind = Stiffness::exact;  // of the linear system
     bool iterative = false;             // one solution is not enough
@@ -182,7 +181,7 @@ class Newmark final : public TimeIntegrator {
   /// Sets the memory of point i to the end of the step, before its geometry is updated.
   void remember_contact(std::size_t i, const State& state, PointBooks::Chunk& chunk);
   void leave_contacts(State& state);
-  /// Moves the contact points to new positions.   @return true: in place, with bitwise the same result
+  /// @return true: the points were moved in place, with bitwise the result of a new list
   bool move_points(std::span<const double> q);
   void book_point_update(std::size_t i, Ledger::Booking& booking, PointBooks::Chunk& chunk);
   void book_contact_update(State& state);
@@ -197,6 +196,7 @@ class Newmark final : public TimeIntegrator {
   FrictionEvolution friction_evolution_;
   ContactList* list_ = nullptr;  // of the state
   ContactList before_;
+  PointBooks books_;
   bool always_anew_ = false;
   std::int64_t steps_in_place_ = 0;
   struct Linear {
@@ -204,7 +204,6 @@ class Newmark final : public TimeIntegrator {
     double energy;  // of the springs, as in the equations of the step [J]
   };
   std::vector<Linear> linear_;  // of the points, before geometry is updated
-  PointBooks books_;
   ImplicitSystem system_;
   OpenClose contacts_;
   StepSprings springs_;

@@ -140,10 +140,11 @@ void Newmark::remember_contact(std::size_t i, const State& state, PointBooks::Ch
 
 void Newmark::leave_contacts(State& state) {
   linear_.resize(contacts_.trials().size());
-  books_.book(linear_.size(), true, state.ledger, [&](std::size_t i, Ledger::Booking& booking, PointBooks::Chunk& chunk) {
-    book_contact(i, booking);  // both at once, while the point is in the cache
-    remember_contact(i, state, chunk);
-  });
+  books_.book(linear_.size(), true, state.ledger,
+              [&](std::size_t i, Ledger::Booking& booking, PointBooks::Chunk& chunk) {
+                book_contact(i, booking);  // both at once, while the point is in the cache
+                remember_contact(i, state, chunk);
+              });
   if (!checks_friction()) return;
   friction_check_.begin(*list_, seconds(state.time));
   for (const PointBooks::Chunk& chunk : books_.chunks())

@@ -205,12 +205,15 @@ void OpenClose::predict(std::span<const double> d, StepReport& report) {
   exact_ = blocks_.acts && closed == 0;
 }
 
+void OpenClose::add_water() {
+  for (std::size_t i = 0; i < states_.size(); ++i)
+    if (const double water = list_->memory[i].water; water != 0.0) states_.normal(i).add_force(water, base_);
+}
+
 bool OpenClose::solve(std::span<const double> A, bool fresh, std::span<const double> rhs, std::span<double> d,
                       StepReport& report) {
   base_.assign(rhs.begin(), rhs.end());
-  if (!setup_->model().waters.empty())
-    for (std::size_t i = 0; i < states_.size(); ++i)
-      if (const double water = list_->memory[i].water; water != 0.0) states_.normal(i).add_force(water, base_);
+  if (!setup_->model().waters.empty()) add_water();
   A_ = A;
   seen_.clear();
   bool only_worst = false;

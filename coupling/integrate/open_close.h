@@ -100,6 +100,8 @@ class OpenClose {
   void fill_affine_rows(std::size_t point, std::span<const Vec2> driven_move);
   /// Closes the points that the first guess d of a step closes, and decides whether to solve exactly at once.
   void predict(std::span<const double> d, StepReport& report);
+  /// Adds the forces of the water in joints to base_.
+  void add_water();
   /// Finds stiffnesses and right-hand side for the states of the points, where a complete factor solves.
   void apply_states();
   /// Adds the forces of springs and points at no displacement to rhs_.

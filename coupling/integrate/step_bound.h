@@ -97,7 +97,7 @@ class StepBound {
   GroupLists<OutlineNode> of_node_;                     // groups, by the first node of each
   GroupLists<SegmentIndex> of_segment_;                 // of either end
   std::vector<double> stiff_, viscous_;                 // sums, by the first node of a group
-  std::vector<Size> sizes_;  // of the contact points
+  std::vector<Size> sizes_;                             // of the contact points
   std::vector<std::int32_t> touched_;
   bool listed_ = false;  // each part is recorded, for the message about what binds the step
   std::vector<Part> list_;

@@ -13,9 +13,7 @@ constexpr std::int32_t kWhole = 3000;   // rows that stay one part
 constexpr std::int32_t kPair = 4096;    // rows of two parts, above that
 constexpr std::int32_t kMostParts = 8;  // the more there are, the more rows are in the separator
 
-std::int32_t count_parts(std::int32_t rows) {
-  return rows < kWhole ? 1 : std::min(kMostParts, 2 * (1 + rows / kPair));
-}
+std::int32_t count_parts(std::int32_t rows) { return rows < kWhole ? 1 : std::min(kMostParts, 2 * (1 + rows / kPair)); }
 
 std::size_t index(std::int32_t i) { return static_cast<std::size_t>(i); }
 
@@ -106,8 +104,8 @@ bool BlockIlu::factorise(const BlockMatrix& A, std::span<const double> unit) {
   for_parts(parts_.parts(), [&](std::int32_t p) {
     failed_[index(p)] = eliminate(A, unit, parts_.begin[index(p)], parts_.begin[index(p + 1)]) ? 0 : 1;
   });
-  made_ = std::find(failed_.begin(), failed_.end(), 1) == failed_.end() &&
-          eliminate(A, unit, parts_.separator(), A.rows());
+  made_ =
+      std::find(failed_.begin(), failed_.end(), 1) == failed_.end() && eliminate(A, unit, parts_.separator(), A.rows());
   return made_;
 }
 
@@ -115,8 +113,7 @@ void BlockIlu::forward(std::span<const double> r, std::int32_t begin, std::int32
   for (std::size_t i = index(begin); i < index(end); ++i) {
     FloatColumn sum;
     DoubleColumn(&r[kBlockSide * index(parts_.order[i])]).round_to(sum);
-    for (std::int32_t k = start_[i]; k < diagonal_[i]; ++k)
-      factor_[index(k)].subtract_from(sum, y_[index(column(k))]);
+    for (std::int32_t k = start_[i]; k < diagonal_[i]; ++k) factor_[index(k)].subtract_from(sum, y_[index(column(k))]);
     y_[i] = sum;
   }
 }

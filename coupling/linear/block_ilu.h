@@ -11,13 +11,13 @@
 namespace scree::coupling {
 
 /// Block ILU(1): A is about (L + D) D^-1 (D + U), where L, D and U have blocks where A has some and where elimination
-/// with the blocks of A alone fills one, and the product has the numbers of A there. For two bodies that touch, or a row
-/// of them, it is the factor of A itself. Single precision is enough for a result that conjugate residuals improve, and
-/// halves the memory to read; rounding is relative to every number of the factor, so that units do not matter. Pivots
-/// are inverted in double precision.
+/// with the blocks of A alone fills one, and the product has the numbers of A there. For two bodies that touch, or a
+/// row of them, it is the factor of A itself. Single precision is enough for a result that conjugate residuals improve,
+/// and halves the memory to read; rounding is relative to every number of the factor, so that units do not matter.
+/// Pivots are inverted in double precision.
 ///
-/// Large systems are eliminated in another order (cut_rows()): parts that are independent, on any number of threads, and
-/// the separator after them. How many parts there are depends on the number of rows alone.
+/// Large systems are eliminated in another order (cut_rows()): parts that are independent, on any number of threads,
+/// and the separator after them. How many parts there are depends on the number of rows alone.
 /// @source [Saad2003] 10.3.3, blocks in place of numbers; 14.2 (parts and separator)
 class BlockIlu {
  public:

@@ -6,8 +6,8 @@
 namespace scree::coupling {
 namespace {
 
-/// Appends the rows that can be reached from `root` to `order`, the nearer ones first, and marks them with `mark`, which
-/// those that were reached before have.
+/// Appends the rows that can be reached from `root` to `order`, the nearer ones first, and marks them with `mark`,
+/// which those that were reached before have.
 void append_levels(const BlockMatrix& A, std::int32_t root, std::vector<std::int32_t>& marks, std::int32_t mark,
                    std::vector<std::int32_t>& order) {
   std::size_t next = order.size();
@@ -45,9 +45,7 @@ RowParts cut_rows(const BlockMatrix& A, std::int32_t parts) {
     return out;
   }
   const std::vector<std::int32_t> levels = levels_of(A);
-  const auto end_of = [&](std::int32_t part) {
-    return static_cast<std::size_t>(std::int64_t{n} * (part + 1) / parts);
-  };
+  const auto end_of = [&](std::int32_t part) { return static_cast<std::size_t>(std::int64_t{n} * (part + 1) / parts); };
   std::vector<std::int32_t> part_of(static_cast<std::size_t>(n));
   std::size_t at = 0;
   for (std::int32_t p = 0; p < parts; ++p)

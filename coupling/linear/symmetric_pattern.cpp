@@ -55,7 +55,7 @@ void SymmetricPattern::multiply(std::span<const double> values, std::span<const 
 void SymmetricPattern::multiply_add(double factor, std::span<const double> values, std::span<const double> x,
                                     std::span<double> y) const {
   if (ranges_.size() < 2) return multiply_add(factor, values, x, y, 0, n);  // not by make()
-  constexpr std::int64_t kFew = 6;  // ranges
+  constexpr std::int64_t kFew = 6;                                          // ranges
   parallel_for(
       std::ssize(ranges_) - 1,
       [&](std::int64_t i) {

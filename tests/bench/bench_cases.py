@@ -2,6 +2,7 @@
 import math
 
 SETTLED = 0.4  # [s]: static steps of 20 ms; measurements begin afterwards
+STATIC_STEPS = 20
 
 HEAD = """
 title = "bench"
@@ -45,6 +46,14 @@ def wall_blocks(courses):
     return sum(courses + 1 if j % 2 == 0 else courses for j in range(courses))
 
 
+def settled(courses):
+    """Time [s] after which a wall is measured: so many static steps, each in proportion to its height.
+
+    A wall of twice the height vibrates at half the frequency: after static steps of the same length it would be farther from rest.
+    """
+    return SETTLED * max(1.0, courses / 30)
+
+
 def shaking():
     """The record of the shaken walls, shaking.csv."""
     return "".join(f"{1e-3 * i:.3f}, {4.0 * math.sin(4.0 * math.pi * 1e-3 * i):.17g}\n" for i in range(2001))
@@ -59,7 +68,7 @@ def wall(courses, integrator, shaken=False, apart=False, settle=True):
     pitch, rise = (1.25, 0.625) if apart else (1.0, 0.5)
     lines = [HEAD.format(young=5)]
     if shaken:
-        lines.append(f'motion.shaking = {{ file = "shaking.csv", unit = "m/s2", start = {SETTLED} }}\n')
+        lines.append(f'motion.shaking = {{ file = "shaking.csv", unit = "m/s2", start = {settled(courses)} }}\n')
     lines.append('support = [{ block = "base"' + (', motion = "shaking"' if shaken else "") + " }]\n")
     blocks = [("base", [(-3.0, -2.0), (pitch * courses + 4.0, -2.0), (pitch * courses + 4.0, 0.0), (-3.0, 0.0)])]
     lift = 0.125 if apart else 0.0
@@ -70,7 +79,7 @@ def wall(courses, integrator, shaken=False, apart=False, settle=True):
     for name, ring in blocks:
         lines.append(f'[[block]]\nname = "{name}"\nmaterial = "rock"\npolygon = {[list(p) for p in ring]}\n')
     if settle:
-        lines.append(f'[[stage]]\nname = "settle"\nmethod = "dda"\nintegrator = "implicit"\ndt = 0.02\nduration = {SETTLED}\nrest = true\n')
+        lines.append(f'[[stage]]\nname = "settle"\nmethod = "dda"\nintegrator = "implicit"\ndt = {settled(courses) / STATIC_STEPS}\nduration = {settled(courses)}\nrest = true\n')
     dt = "\"auto\"" if integrator == "explicit" else "0.001"
     lines.append(f'[[stage]]\nname = "steps"\nmethod = "dda"\nintegrator = "{integrator}"\ndt = {dt}\nduration = 1.0\n')
     lines.append("[output]\nevery = 10.0\nhistory_every = 10.0\n")

@@ -47,7 +47,8 @@ class Program:
 
         It runs in a shell: a process that Python starts itself begins with the peak memory of Python, and its summary would report that.
         """
-        environment = dict(os.environ, OMP_WAIT_POLICY="passive", OMP_NUM_THREADS=str(threads))
+        environment = dict(os.environ, OMP_NUM_THREADS=str(threads))  # threads wait as they do for users
+        environment.pop("OMP_WAIT_POLICY", None)
         command = [str(self.path), *map(str, arguments)]
         begin = datetime.datetime.now()
         process = subprocess.Popen(["/bin/sh", "-c", '"$@"; exit $?', "sh", *command], stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True, env=environment)
@@ -134,7 +135,7 @@ def explicit_wall(table, courses=30):
     blocks = bench_cases.wall_blocks(courses)
     case = table.case(f"explicit-{courses}", bench_cases.wall(courses, "explicit"))
     for program in table.programs:
-        program.run(case, f"explicit-{courses}", "--until", bench_cases.SETTLED)
+        program.run(case, f"explicit-{courses}", "--until", bench_cases.settled(courses))
     main = courses == 30
     step = table.figure(f"explicit DDA, wall of {blocks} blocks: a step", "ms", 0.7 if main else None)
     point = table.figure(f"explicit DDA, wall of {blocks} blocks: a closed contact point", "ns", 120)
@@ -142,7 +143,7 @@ def explicit_wall(table, courses=30):
     def add(program, seconds, summary):
         step.add(program, 1e3 * seconds)
         point.add(program, 1e9 * seconds / summary["contacts"])
-    table.steps(f"explicit-{courses}", bench_cases.SETTLED, 0.002, 0.002 + 0.3 / courses, add)
+    table.steps(f"explicit-{courses}", bench_cases.settled(courses), 0.002, 0.002 + 0.3 / courses, add)
     for p in table.programs:
         table.grow("point", "explicit", 1e6 * step.median(p.name) / point.median(p.name), point.median(p.name), p)
         table.grow("step", "explicit", blocks, step.median(p.name), p)
@@ -178,9 +179,9 @@ def implicit_wall(table, courses=30):
         name = f"implicit-{kind}-{courses}"
         case = table.case(name, bench_cases.wall(courses, "implicit", kind == "shaken"))
         for program in table.programs:
-            program.run(case, name, "--until", bench_cases.SETTLED)
+            program.run(case, name, "--until", bench_cases.settled(courses))
         figure = table.figure(f"implicit DDA, wall of {blocks} blocks, {kind}, 1 ms: a step", "ms", must if courses == 30 else None)
-        table.steps(name, bench_cases.SETTLED, 0.005, 0.005 + long, lambda p, s, _, f=figure: f.add(p, 1e3 * s))
+        table.steps(name, bench_cases.settled(courses), 0.005, 0.005 + long, lambda p, s, _, f=figure: f.add(p, 1e3 * s))
         for p in table.programs:
             table.grow("step", f"implicit, {kind}", blocks, figure.median(p.name), p)
 
@@ -300,14 +301,15 @@ def threads(table):
     """Wall time of two threads over one; a shared machine shows less."""
     if (os.cpu_count() or 1) < 2:
         return
-    for kind, name, long in (("explicit", "explicit-60", 0.012), ("implicit", "implicit-rest-60", 0.025)):
+    for kind, name, long in (("explicit", "explicit-60", 0.042), ("implicit", "implicit-rest-60", 0.105)):
         if not all((p.scratch / name).exists() for p in table.programs):
             print(f"# threads: not measured for {kind} steps without the row {'points' if kind == 'explicit' else 'growth'}", file=sys.stderr)
             continue
         figure = table.figure(f"two threads, {kind}, wall of {bench_cases.wall_blocks(60)} blocks: wall time of one over that of two", "1", 1.6, higher=True)
 
         def measure(program, name=name, figure=figure, long=long):
-            wall = [program.resumed(name, bench_cases.SETTLED + long, n)[0][1] - program.resumed(name, bench_cases.SETTLED + 0.002, n)[0][1]
+            begin = bench_cases.settled(60)
+            wall = [program.resumed(name, begin + long, n)[0][1] - program.resumed(name, begin + 0.002, n)[0][1]
                     for n in (1, 2)]
             figure.add(program, wall[0] / wall[1])
         table.rounds(measure)

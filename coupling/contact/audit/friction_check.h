@@ -72,9 +72,7 @@ class FrictionCheck {
     if (slides(slip, m)) follow(h, p, slip, m);
   }
   /// True for a point that slips in a step, or that is in a stretch: see() does nothing for others.
-  [[nodiscard]] static bool slides(double slip, const ContactMemory& m) {
-    return slip != 0.0 || m.slide.length > 0.0F;
-  }
+  [[nodiscard]] static bool slides(double slip, const ContactMemory& m) { return slip != 0.0 || m.slide.length > 0.0F; }
   /// Ends all stretches, for a stage without the check.
   static void forget(ContactList& list);
 
