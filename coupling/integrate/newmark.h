@@ -121,7 +121,7 @@ class Newmark final : public TimeIntegrator {
   /// Makes the kept tangent and its factor those of the system again.
   void take_tangent(const State& state, double h);
   void add_affine_damping(const State& state, std::span<const double> rate, std::span<double> out);
-  struct NewtonLoop {  // Newton's iteration of one step
+  struct NewtonLoop {                   // Newton's iteration of one step
     std::vector<double> affine, moved;  // damping forces that exclude affine motion [N]; d_ of nonlinear unknowns
     Stiffness kind = Stiffness::exact;  // of the linear system
     bool iterative = false;             // one solution is not enough
