@@ -1,6 +1,9 @@
 #include "coupling/contact/table/contact_pairs.h"
 
+#include <omp.h>
+
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <iterator>
 #include <limits>
@@ -12,7 +15,7 @@ namespace scree::coupling {
 namespace {
 
 constexpr double kFaces = 0.9962;             // cosine of 5 degrees: edges this nearly anti-parallel face each other
-constexpr std::int64_t kFewEdgePairs = 1024;  // fewer pairs of edges are not worth waking threads
+constexpr std::int64_t kFewEdgePairs = 1024;  // fewer pairs are not worth waking threads
 constexpr double kRounding = 1e-9;            // pairs excluded here must fail the exact tests of ContactFinder too
 constexpr double kLeast = -kWedgeTolerance - kRounding;
 
@@ -159,13 +162,6 @@ void ContactPairs::Found::end() {
   same = false;
 }
 
-template <class See>
-void ContactPairs::for_found(See&& see) const {
-  std::size_t k = 0;
-  for (const Found& f : lists_.found)
-    for (const VertexEdge& pair : f.pairs) see(pair, k++);
-}
-
 void ContactPairs::try_corner(VertexIndex vertex, EdgeIndex edge, const KnownContacts& known, Found& out) const {
   const Outlines::Vertex& v = setup_->outlines().vertices[vertex];
   if (!v.convex) return;
@@ -208,33 +204,76 @@ void ContactPairs::try_edges(OutlinePositions x, EdgeIndex a, EdgeIndex b, const
 
 void ContactPairs::sort() {
   std::vector<VertexEdge>& pairs = lists_.pairs;
-  std::vector<Place>& place = lists_.place;
-  std::size_t count = 0;
-  for (const Found& f : lists_.found) count += f.pairs.size();
+  std::vector<Found>& found = lists_.found;
+  std::int32_t count = 0;
+  for (Found& f : found) {
+    f.first = count;
+    count += static_cast<std::int32_t>(f.pairs.size());
+  }
+  pairs.resize(static_cast<std::size_t>(count));
+  origin_.resize(pairs.size());
+  lists_.place.resize(pairs.size());
   // In the order of vertices; origin_ holds the number of each pair in the order in which they were found.
+  const bool on_threads = omp_get_max_threads() > 1 && count >= kFewEdgePairs;
+  const auto add_one = [on_threads](std::int32_t& to) {
+    return on_threads ? std::atomic_ref(to).fetch_add(1, std::memory_order_relaxed) : to++;
+  };
+  const auto for_chunks = [&](auto&& of_chunk) {
+    parallel_for(
+        std::ssize(found), [&](std::int64_t c) { of_chunk(found[static_cast<std::size_t>(c)]); },
+        on_threads ? 2 : std::ssize(found) + 1);
+  };
   next_.assign(lists_.first.size(), 0);
-  for_found([&](const VertexEdge& p, std::size_t) { ++next_[p.vertex + 1]; });
+  for_chunks([&](const Found& f) {
+    for (const VertexEdge& p : f.pairs) add_one(next_[p.vertex + 1]);
+  });
   std::vector<std::int32_t>& next_of = next_.values();
   for (std::size_t v = 1; v < next_of.size(); ++v) next_of[v] += next_of[v - 1];
-  pairs.resize(count);
-  origin_.resize(count);
-  place.resize(count);
-  for_found([&](const VertexEdge& p, std::size_t k) {
-    const auto at = static_cast<std::size_t>(next_[p.vertex]++);
-    pairs[at] = p;
-    origin_[at] = static_cast<std::int32_t>(k);
+  for_chunks([&](const Found& f) {
+    std::int32_t k = f.first;
+    for (const VertexEdge& p : f.pairs) {
+      const auto at = static_cast<std::size_t>(add_one(next_[p.vertex]));
+      pairs[at] = p;
+      origin_[at] = k++;
+    }
   });
-  // Now next_ holds the place after the last pair of each vertex.
+  // Now next_ holds the place after the last pair of each vertex. Threads put the pairs of a vertex in any order.
+  const auto sort_vertex = [&](std::int64_t v) { return sort_of_vertex(static_cast<std::size_t>(v)) ? 1.0 : 0.0; };
+  const auto vertices = std::ssize(next_of) - 1;
+  const double merges = parallel_largest(vertices, sort_vertex, on_threads ? 2 : vertices + 1);
+  lists_.first.values().back() = count;
+  lists_.merged = merges > 0.0;
+  if (lists_.merged) merge();
+}
+
+bool ContactPairs::sort_of_vertex(std::size_t vertex) {
+  std::vector<VertexEdge>& pairs = lists_.pairs;
+  const auto begin = vertex == 0 ? std::size_t{0} : static_cast<std::size_t>(next_.values()[vertex - 1]),
+             end = static_cast<std::size_t>(next_.values()[vertex]);
+  bool merges = false;
+  for (std::size_t i = begin + 1; i < end; ++i)  // they are few
+    for (std::size_t j = i; j > begin; --j) {
+      const bool after = comes_before(pairs[j - 1], pairs[j]);
+      if (after || (!comes_before(pairs[j], pairs[j - 1]) && origin_[j - 1] < origin_[j])) break;
+      std::swap(pairs[j], pairs[j - 1]);
+      std::swap(origin_[j], origin_[j - 1]);
+    }
+  for (std::size_t i = begin; i < end; ++i) {
+    lists_.place[static_cast<std::size_t>(origin_[i])] = {static_cast<std::int32_t>(i), false};
+    merges = merges || (i > begin && pairs[i].edge == pairs[i - 1].edge);
+  }
+  lists_.first.values()[vertex] = static_cast<std::int32_t>(begin);
+  return merges;
+}
+
+void ContactPairs::merge() {
+  std::vector<VertexEdge>& pairs = lists_.pairs;
+  std::vector<Place>& place = lists_.place;
   std::vector<std::int32_t>& first_of = lists_.first.values();
   std::size_t kept = 0, begin = 0;
   for (std::size_t v = 0; v + 1 < first_of.size(); ++v) {
     first_of[v] = static_cast<std::int32_t>(kept);
-    const auto end = static_cast<std::size_t>(next_of[v]);
-    for (std::size_t i = begin + 1; i < end; ++i)  // they are few
-      for (std::size_t j = i; j > begin && comes_before(pairs[j], pairs[j - 1]); --j) {
-        std::swap(pairs[j], pairs[j - 1]);
-        std::swap(origin_[j], origin_[j - 1]);
-      }
+    const auto end = static_cast<std::size_t>(next_.values()[v]);
     for (std::size_t i = begin; i < end; ++i) {
       const std::int32_t from = origin_[i];
       if (i > begin && pairs[kept - 1].edge == pairs[i].edge) {
@@ -264,18 +303,23 @@ void ContactPairs::sort() {
 }
 
 void ContactPairs::refresh() {
-  for_found([&](const VertexEdge& from, std::size_t k) {
-    VertexEdge& to = lists_.pairs[static_cast<std::size_t>(lists_.place[k].pair)];
-    if (lists_.place[k].adds) {  // to at most one other: the sum of two does not depend on their order
-      to.tributary += from.tributary;
-      to.behind += from.behind;
-      to.ahead += from.ahead;
-    } else {
-      to.tributary = from.tributary;
-      to.behind = from.behind;
-      to.ahead = from.ahead;
+  const auto update = [this](const Found& f, bool adding) {
+    auto place = lists_.place.begin() + f.first;
+    for (const VertexEdge& from : f.pairs) {
+      VertexEdge& to = lists_.pairs[static_cast<std::size_t>(place->pair)];
+      if (const bool adds = (place++)->adds; adds != adding) continue;
+      to.tributary = (adding ? to.tributary : 0.0) + from.tributary;
+      to.behind = (adding ? to.behind : 0.0) + from.behind;
+      to.ahead = (adding ? to.ahead : 0.0) + from.ahead;
     }
-  });
+  };
+  // To at most one other: the sum of two does not depend on their order.
+  const auto chunks = std::ssize(lists_.found);
+  parallel_for(
+      chunks, [&](std::int64_t c) { update(lists_.found[static_cast<std::size_t>(c)], false); },
+      std::ssize(lists_.pairs) < kFewEdgePairs ? chunks + 1 : 2);
+  if (!lists_.merged) return;
+  for (const Found& f : lists_.found) update(f, true);
 }
 
 void ContactPairs::place_edges(OutlinePositions x, IndexRange<EdgeIndex> range) {

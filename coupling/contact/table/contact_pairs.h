@@ -72,9 +72,10 @@ class ContactPairs {
   /// Vertices against edges that one chunk of edge pairs yields, in order. Kept from one update to the next.
   struct Found {
     std::vector<VertexEdge> pairs;
-    std::size_t count = 0;  // number of pairs so far
-    bool same = false;      // they equal those of the last update
-    EdgeOverlap overlap;    // scratch
+    std::size_t count = 0;   // number of pairs so far
+    std::int32_t first = 0;  // number of the first one among all
+    bool same = false;       // they equal those of the last update
+    EdgeOverlap overlap;     // scratch
 
     void begin() { count = 0, same = true; }
     void list(const VertexEdge& pair);
@@ -99,11 +100,11 @@ class ContactPairs {
   [[nodiscard]] double corner_room(VertexIndex vertex, EdgeIndex edge) const;
   /// True if a side of the corner leans into the edge, so that it cannot touch it first. Not decided for bent sides.
   [[nodiscard]] bool leans_in(const Outlines::Vertex& v, EdgeIndex edge) const;
-  /// Calls see(pair, k) for all that was found, k counted through all chunks.
-  template <class See>
-  void for_found(See&& see) const;
   /// Sorts the pairs: by vertex in one pass, then the few of each vertex, and merges those of one edge.
   void sort();
+  /// @return true: some are of one edge
+  bool sort_of_vertex(std::size_t vertex);
+  void merge();
   /// Updates the pairs without sorting, if the same vertices against the same edges were listed as last time, in the
   /// same order.
   void refresh();
@@ -130,6 +131,7 @@ class ContactPairs {
     std::vector<Place> place;                        // of what was found, in pairs
     IndexedVector<VertexIndex, std::int32_t> first;  // its first pair, and the end
     std::int64_t number = 0;                         // of list_number()
+    bool merged = false;                             // some of what was found were merged
   };
   Lists lists_, other_;  // of the last update, and of the other kind (ghosts, or all): most updates of a kind are alike
   bool ghosts_ = false;  // lists_ is that of ghosts

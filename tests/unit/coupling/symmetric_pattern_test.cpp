@@ -2,6 +2,7 @@
 #include "coupling/linear/symmetric_pattern.h"
 
 #include <gtest/gtest.h>
+#include <omp.h>
 
 #include <Eigen/Dense>
 #include <optional>
@@ -38,6 +39,43 @@ TEST(SymmetricPattern, sums_of_random_entries_equal_a_dense_matrix) {
   for (std::size_t c = 0; c < 20; ++c)
     for (auto k = pattern.column_start[c]; k + 1 < pattern.column_start[c + 1]; ++k)
       EXPECT_LT(pattern.row[static_cast<std::size_t>(k)], pattern.row[static_cast<std::size_t>(k) + 1]);
+}
+
+TEST(SymmetricPattern, products_of_many_independent_blocks_have_the_same_bits_on_threads) {
+  // Blocks of six unknowns; two that lie where a range of 1,024 unknowns would end are coupled.
+  constexpr std::int32_t kBlocks = 2000, kUnknowns = 6 * kBlocks;
+  std::vector<std::int32_t> i, j;
+  for (std::int32_t b = 0; b < kBlocks; ++b)
+    for (std::int32_t c = 0; c < 6; ++c)
+      for (std::int32_t r = c; r < 6; ++r) {
+        i.push_back(6 * b + r);
+        j.push_back(6 * b + c);
+      }
+  i.push_back(1030);
+  j.push_back(1020);
+  SymmetricPattern pattern;
+  const std::vector<std::int32_t> place = pattern.make(kUnknowns, i, j);
+  std::mt19937 generator(12);
+  std::uniform_real_distribution<double> any(-1.0, 1.0);
+  std::vector<double> values(pattern.size()), x(kUnknowns), y(kUnknowns), first;
+  for (double& a : values) a = any(generator);
+  for (double& a : x) a = any(generator);
+  std::vector<double> expected(kUnknowns, 0.0);
+  for (std::size_t k = 0; k < i.size(); ++k) {
+    const double a = values[static_cast<std::size_t>(place[k])];
+    const auto row = static_cast<std::size_t>(i[k]), column = static_cast<std::size_t>(j[k]);
+    expected[row] += a * x[column];
+    if (row != column) expected[column] += a * x[row];
+  }
+  const int threads = omp_get_max_threads();
+  for (const int count : {1, 2, 3}) {
+    omp_set_num_threads(count);
+    pattern.multiply(values, x, y);
+    if (count == 1) first = y;
+    EXPECT_EQ(y, first) << count;
+  }
+  omp_set_num_threads(threads);
+  for (std::size_t k = 0; k < expected.size(); ++k) ASSERT_NEAR(y[k], expected[k], 1e-14) << k;
 }
 
 TEST(Cholesky, springs_join_the_fixed_part_and_only_new_lists_are_analysed) {
