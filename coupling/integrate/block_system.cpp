@@ -209,27 +209,27 @@ void BlockSystem::subtract_own(std::int32_t body, std::span<const double> x, dou
   }
 }
 
-template <bool constant>
+template <bool Constant>
 void BlockSystem::find_force(std::size_t unit, std::span<const double> x) {
   if (unit < springs_) {
-    force_[unit] = k_[unit] != 0.0 ? k_[unit] * elongation(unit, unit, x) - (constant ? constant_[unit] : 0.0) : 0.0;
+    force_[unit] = k_[unit] != 0.0 ? k_[unit] * elongation(unit, unit, x) - (Constant ? constant_[unit] : 0.0) : 0.0;
     return;
   }
   const PointTangent& k = tangent_[unit - springs_];
   const std::size_t row = springs_ + 2 * (unit - springs_);
-  force_[row] = constant ? -constant_[row] : 0.0;
-  force_[row + 1] = constant ? -constant_[row + 1] : 0.0;
+  force_[row] = Constant ? -constant_[row] : 0.0;
+  force_[row + 1] = Constant ? -constant_[row + 1] : 0.0;
   if (k.zero()) return;
   const double gap = elongation(row, unit, x), stretch = elongation(row + 1, unit, x);
   force_[row] += k.nn * gap + k.nt * stretch;
   force_[row + 1] += k.tn * gap + k.tt * stretch;
 }
 
-template <bool constant>
+template <bool Constant>
 void BlockSystem::multiply_rows(std::span<const double> x, std::span<double> y) {
   force_.resize(rows_->size());
   parallel_for(
-      std::ssize(bodies_), [&](std::int64_t unit) { find_force<constant>(static_cast<std::size_t>(unit), x); },
+      std::ssize(bodies_), [&](std::int64_t unit) { find_force<Constant>(static_cast<std::size_t>(unit), x); },
       kFewPoints);
   const auto of_body = [&](std::int64_t at) {
     const auto body = static_cast<std::int32_t>(at);

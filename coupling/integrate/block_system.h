@@ -99,9 +99,9 @@ class BlockSystem {
   void take(std::size_t point, const LinearContactForce& force, bool all);
   void end_assembly();
   /// force_ of a spring or a point at x, with or without what it is at no displacement.
-  template <bool constant>
+  template <bool Constant>
   void find_force(std::size_t unit, std::span<const double> x);
-  template <bool constant>
+  template <bool Constant>
   void multiply_rows(std::span<const double> x, std::span<double> y);
   /// sum += the forces of all rows on a body.
   void add_forces(std::int32_t body, DoubleColumn& sum) const;

@@ -15,7 +15,9 @@ using Pairs = std::vector<BlockMatrix::Pair>;
 /// Rows of a grid, each coupled to those beside, above and below it, numbered in an order that is given.
 BlockMatrix grid(int width, int height, const std::vector<std::int32_t>& number) {
   Pairs pairs;
-  const auto row = [&](int i, int j) { return number[static_cast<std::size_t>(width * j + i)]; };
+  const auto row = [&](int i, int j) {
+    return number[static_cast<std::size_t>(width) * static_cast<std::size_t>(j) + static_cast<std::size_t>(i)];
+  };
   for (int j = 0; j < height; ++j)
     for (int i = 0; i < width; ++i) {
       if (i + 1 < width) pairs.push_back({row(i, j), row(i + 1, j)});
@@ -72,8 +74,9 @@ TEST(RowParts, cuts_a_strip_into_equal_parts_across_its_width) {
       ASSERT_EQ(of.parts(), parts);
       expect_independent(A, of);
       EXPECT_LE(A.rows() - of.separator(), 5 * (parts - 1));
+      const std::int32_t equal = A.rows() / parts;
       for (std::size_t p = 0; p < static_cast<std::size_t>(parts); ++p)
-        EXPECT_NEAR(of.begin[p + 1] - of.begin[p], A.rows() / parts, 5) << p;
+        EXPECT_NEAR(of.begin[p + 1] - of.begin[p], equal, 5) << p;
     }
   }
 }
