@@ -24,14 +24,12 @@ NodeForces::NodeForces(const Setup& setup, std::size_t expected) : setup_(&setup
   reach_.reserve(expected / kContactChunk + 1);
 }
 
-bool NodeForces::find(const ContactPoint& p, const ContactMemory& m, OfPoint& out) {
+template <class Take>
+bool NodeForces::find(const ContactPoint& p, const ContactMemory& m, Take&& take) {
   const double normal = m.fn + m.water;
   if (normal == 0.0 && m.ft == 0.0) return false;
   const ContactRow gap = gap_row(p.at), stretch = stretch_row(p.at, m.anchor);
-  for (std::size_t k = 0; k < 3; ++k) {
-    out.node[k] = p.node[k];
-    out.force[k] = normal * gap[k] + m.ft * stretch[k];
-  }
+  for (std::size_t k = 0; k < 3; ++k) take(k, normal * gap[k] + m.ft * stretch[k]);
   return true;
 }
 
@@ -43,10 +41,13 @@ void NodeForces::find_all(const ContactList& list) {
     Reach reach{OutlineNode::of(rests_.size()), OutlineNode{0}};
     for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i) {
       OfPoint& of = of_point_[i];
-      if (!find(list.points[i], list.memory[i], of)) {
+      const ContactPoint& p = list.points[i];
+      const auto take = [&of](std::size_t k, const Vec2& force) { of.force[k] = force; };
+      if (!find(p, list.memory[i], take)) {
         of.node.fill(OutlineNode{});
         continue;
       }
+      std::copy_n(p.node.begin(), 3, of.node.begin());
       const auto [first, last] = std::minmax_element(of.node.begin(), of.node.end());
       reach = {std::min(reach.begin, *first), std::max(reach.end, *last + 1)};
     }
@@ -74,17 +75,17 @@ void NodeForces::add(const ContactList& list, std::span<double> f) {
   const auto collect = [&](std::int64_t part) {
     const OutlineNode begin = begin_of(part), end = begin_of(part + 1);
     for_moving(begin, end, [&](OutlineNode n) { forces_[n].setZero(); });
-    const auto take = [&](const OfPoint& of) {
-      for (std::size_t k = 0; k < 3; ++k)
-        if (const OutlineNode n = of.node[k]; n >= begin && n < end && rests_[n] == 0) forces_[n] += of.force[k];
+    const auto take = [&](OutlineNode n, const Vec2& force) {
+      if (n >= begin && n < end && rests_[n] == 0) forces_[n] += force;
     };
-    OfPoint of;
     for (std::size_t i = 0; parts == 1 && i < list.points.size(); ++i)
-      if (find(list.points[i], list.memory[i], of)) take(of);
+      (void)find(list.points[i], list.memory[i],
+                 [&](std::size_t k, const Vec2& force) { take(list.points[i].node[k], force); });
     for (std::size_t c = 0; parts > 1 && c < reach_.size(); ++c) {
       if (!(reach_[c].begin < end) || !(begin < reach_[c].end)) continue;
       const auto chunk = static_cast<std::size_t>(kContactChunk);
-      for (std::size_t i = chunk * c; i < std::min(chunk * (c + 1), of_point_.size()); ++i) take(of_point_[i]);
+      for (std::size_t i = chunk * c; i < std::min(chunk * (c + 1), of_point_.size()); ++i)
+        for (std::size_t k = 0; k < 3; ++k) take(of_point_[i].node[k], of_point_[i].force[k]);
     }
   };
   parallel_for(parts, collect, 2);

@@ -32,8 +32,9 @@ class NodeForces {
   struct Reach {
     OutlineNode begin, end;
   };
-  /// @return false: it has none
-  [[nodiscard]] static bool find(const ContactPoint& p, const ContactMemory& m, OfPoint& out);
+  /// take(k, force) for the three nodes of a point.   @return false: it has no force
+  template <class Take>
+  static bool find(const ContactPoint& p, const ContactMemory& m, Take&& take);
   void find_all(const ContactList& list);
   /// of_node(n) for the nodes of moving bodies from begin to end.
   template <class OfNode>
