@@ -181,10 +181,9 @@ class ExplicitContact {
   std::vector<Slide> slides_;        // points that the check of friction follows
   std::vector<double> energy_;       // of the springs, per point [J]
   std::vector<Chunk> chunks_;
-  mutable NodeForces node_forces_;  // keeps scratch
-  IndexedVector<OutlineNode, char>
-      ghost_;                   // per outline node: 1 where another integrator moves its body, or half of it
-  std::vector<double> opened_;  // by dilation in the step, per point of the present list [m]
+  mutable NodeForces node_forces_;          // keeps scratch
+  IndexedVector<OutlineNode, char> ghost_;  // per node: 1 where another integrator moves its body, or half of it
+  std::vector<double> opened_;              // by dilation in the step, per point of the present list [m]
 };
 
 }  // namespace scree::coupling
