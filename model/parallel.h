@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 #include "model/indexed.h"
@@ -95,5 +96,26 @@ double parallel_largest(std::int64_t n, Of&& of, std::int64_t serial_below = kSe
   for (std::int64_t i = 0; i < n; ++i) out = std::max(out, of(i));
   return out;
 }
+
+/// of_part(part, begin, end): [0, n) divided into as many parts as there are threads, or left whole. For sums over
+/// items that are not in the order of their slots: each part adds to its own slots, in the order of the items.
+template <class OfPart>
+void parallel_parts(std::int32_t n, bool on_threads, OfPart&& of_part) {
+  const std::int64_t parts = on_threads ? omp_get_max_threads() : 1;
+  const auto begin_of = [&](std::int64_t part) { return static_cast<std::int32_t>(n * part / parts); };
+  parallel_for(
+      parts, [&](std::int64_t part) { of_part(part, begin_of(part), begin_of(part + 1)); }, 2);
+}
+
+/// The slots that a chunk of items adds to, so that a part can leave out chunks that do not concern it.
+struct Reach {
+  std::int32_t begin = std::numeric_limits<std::int32_t>::max(), end = 0;
+
+  void take(std::int32_t slot) {
+    begin = std::min(begin, slot);
+    end = std::max(end, slot + 1);
+  }
+  [[nodiscard]] bool meets(std::int32_t first, std::int32_t last) const { return begin < last && first < end; }
+};
 
 }  // namespace scree

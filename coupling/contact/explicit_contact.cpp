@@ -62,6 +62,7 @@ ExplicitContact::ExplicitContact(const Setup& setup, double detection, bool chec
 
 void ExplicitContact::enter(State& state, bool at_start, bool goes_on) {
   list_ = &state.contacts;
+  forces_taken_ = false;
   list_->reserve(2 * setup_->outlines().vertices.size());  // so that steps need not allocate
   finder_.restore(list_->memory, before_);
   if (!goes_on) {
@@ -116,10 +117,19 @@ void ExplicitContact::undo() {
   else if (!in_place_)
     std::swap(*list_, before_);
   clear_ = 0.0;
-  indexed_ = can_undo_ = false;
+  indexed_ = can_undo_ = forces_taken_ = false;
 }
 
-void ExplicitContact::add(std::span<double> f) const { node_forces_.add(*list_, f); }
+void ExplicitContact::add(std::span<double> f) const {
+  if (!std::exchange(forces_taken_, true)) node_forces_.take_all(*list_);
+  node_forces_.add(f);
+}
+
+void ExplicitContact::add_ahead(std::span<double> f) {
+  forces_taken_ = false;
+  node_forces_.take_all(ahead_);
+  node_forces_.add(f);
+}
 
 template <class OfRange>
 void ExplicitContact::for_points(Ledger& ledger, OfRange&& of_range) {
@@ -150,7 +160,7 @@ void ExplicitContact::foresee(double h, std::span<const double> q, std::span<con
   set_velocities(v, v_);
   respond(h, ahead_);
   (void)finder_.adopt_kinds(ahead_);
-  node_forces_.add(ahead_, f);
+  add_ahead(f);
 }
 
 void ExplicitContact::foresee_again(double h, std::span<const double> q, std::span<const double> v,
@@ -161,7 +171,7 @@ void ExplicitContact::foresee_again(double h, std::span<const double> q, std::sp
   set_velocities(v, v_);
   respond(h, ahead_);
   (void)finder_.adopt_kinds(ahead_);
-  node_forces_.add(ahead_, f);
+  add_ahead(f);
 }
 
 void ExplicitContact::set_velocities(std::span<const double> v, IndexedVector<OutlineNode, Vec2>& out) const {
@@ -363,6 +373,7 @@ void ExplicitContact::arrive(double h, double farthest, std::span<const double> 
   }
   clear_ -= farthest;
   if (clear_ > 0.0) return;  // there are no points and there will be none
+  forces_taken_ = false;
   set_velocities(v, v_);
   if (!indexed_) finder_.index(*list_);
   indexed_ = in_place_ = finder_.keeps(q, *list_) && !list_->points.empty() && !always_anew_;
@@ -414,10 +425,10 @@ void ExplicitContact::arrive_anew(double h, State& state) {
 }
 
 void ExplicitContact::make_way(double h) {
-  for (const ContactFinder::Changed& c : finder_.changed())
+  for (const Changed& c : finder_.changed())
     for (std::int32_t k = c.begin; k < c.end; ++k) leave_point(h, static_cast<std::size_t>(k));
   if (!finder_.changed().empty()) finder_.splice(*list_);
-  finder_.find_first(*list_);
+  finder_.find_first();
   left_first_.clear();
   for (const std::int32_t k : finder_.moves_first()) {
     const auto i = static_cast<std::size_t>(k);
@@ -448,6 +459,7 @@ void ExplicitContact::arrive_point(double h, std::size_t i, Chunk& chunk) {
   if (stays_open(left, i)) {
     m.impact = 0.0;
     energy_[i] = 0.0;
+    node_forces_.take(i, p, m);
     finder_.note(i, m);
     return;
   }
@@ -468,8 +480,10 @@ void ExplicitContact::complete_point(double h, std::size_t i, const Left& left, 
   const ContactPoint& p = list_->points[i];
   ContactMemory& m = list_->memory[i];
   const Rates rates = respond(h, i, *list_);
-  const double slip = slip_in_step(i, left);
-  if (FrictionCheck::slides(slip, m)) chunk.slides.push_back({static_cast<std::int32_t>(i), slip});
+  if (checks_friction_) {  // velocities are physical
+    const double slip = slip_in_step(i, left);
+    if (!friction_check_.goes_on(h, slip, m)) chunk.slides.push_back({static_cast<std::int32_t>(i), slip});
+  }
   const Half arriving = half_work(h, p, m, v_, rates);
   if (p.from >= 0)
     book_pair(left, i, arriving, chunk.ledger);
@@ -477,6 +491,7 @@ void ExplicitContact::complete_point(double h, std::size_t i, const Left& left, 
     book_new(i, arriving, chunk.ledger);
   if (ContactFinder::may_adopt(p, m)) chunk.kinds.push_back(static_cast<std::int32_t>(i));
   energy_[i] = normal_energy(p, m) + tangential_energy(m);
+  node_forces_.take(i, p, m);
   finder_.note(i, m);
 }
 
@@ -485,9 +500,11 @@ void ExplicitContact::arrive_in_place(double h, State& state) {
   Ledger& ledger = state.ledger;
   const std::size_t size = list_->points.size();
   for (auto* of_point : {&trial_, &opened_, &energy_}) of_point->resize(size);
+  node_forces_.begin(size);
   const std::span<const std::int32_t> first = finder_.moves_first();
   // All else is done point by point, while the point is in the cache: the whole list does not fit.
   for_points(ledger, [&](std::size_t begin, std::size_t end, Chunk& chunk) {
+    node_forces_.begin_chunk(begin);
     auto waiting = std::lower_bound(first.begin(), first.end(), static_cast<std::int32_t>(begin));
     for (std::size_t i = begin; i < end; ++i) {
       if (waiting != first.end() && static_cast<std::size_t>(*waiting) == i)
@@ -496,16 +513,18 @@ void ExplicitContact::arrive_in_place(double h, State& state) {
         arrive_point(h, i, chunk);
     }
   });
-  for (const ContactFinder::Changed& c : finder_.changed())
+  for (const Changed& c : finder_.changed())
     for (std::int32_t k = c.begin; k < c.end; ++k)
       if (finder_.gone(static_cast<std::size_t>(k))) book_ended(static_cast<std::size_t>(k), ledger);
-  if (checks_friction_) follow_some(h, state);  // velocities are physical
+  if (checks_friction_) follow_some(h, state);
   adopt_kinds(h, kinds_, ledger);
   for (const std::int32_t k : kinds_) {
     const auto i = static_cast<std::size_t>(k);
     energy_[i] = normal_energy(list_->points[i], list_->memory[i]) + tangential_energy(list_->memory[i]);
+    node_forces_.take(i, list_->points[i], list_->memory[i]);
     finder_.note(i, list_->memory[i]);
   }
+  forces_taken_ = true;
   finder_.take_noted(*list_);
   double energy = 0.0;
   for (const double e : energy_) energy += e;

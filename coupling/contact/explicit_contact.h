@@ -71,7 +71,7 @@ class ExplicitContact {
   struct Half {
     double normal = 0.0, damping = 0.0, tangential = 0.0, water = 0.0;  // h/2 times force times rate [J]
   };
-  /// A point that the check of friction follows, and its slip in the step [m].
+  /// A point that begins or completes a window of the check of friction, and its slip in the step [m].
   struct Slide {
     std::int32_t point;
     double way;
@@ -126,7 +126,8 @@ class ExplicitContact {
   void arrive_anew(double h, State& state);
   /// arrive() with the list updated in place: only the points of vertices that changed are made anew.
   void arrive_in_place(double h, State& state);
-  /// Results for a range of points: ledger increments, points that slide, points that may take springs of another kind.
+  /// Results for a range of points: ledger increments, windows of the check of friction that begin or are complete,
+  /// points that may take springs of another kind.
   struct Chunk {
     Ledger ledger;
     std::vector<Slide> slides;
@@ -146,7 +147,9 @@ class ExplicitContact {
   [[nodiscard]] bool stays_open(const Left& was, std::size_t i) const;
   /// Part of arrive_in_place(): points that appear or end, and those that others may depend on.
   void make_way(double h);
-  /// Part of arrive_in_place(): the check of friction for the points that slide, and the laws of friction.
+  /// f += forces of ahead_.
+  void add_ahead(std::span<double> f);
+  /// Part of arrive_in_place(): the check of friction for the points of slides_, and the laws of friction.
   void follow_some(double h, State& state);
 
   const Setup* setup_;
@@ -178,10 +181,11 @@ class ExplicitContact {
   };
   std::vector<Anchor> anchor_;
   std::vector<std::int32_t> kinds_;  // points that may take springs of another kind
-  std::vector<Slide> slides_;        // points that the check of friction follows
+  std::vector<Slide> slides_;        // windows that begin or are complete
   std::vector<double> energy_;       // of the springs, per point [J]
   std::vector<Chunk> chunks_;
-  mutable NodeForces node_forces_;          // keeps scratch
+  mutable NodeForces node_forces_;
+  mutable bool forces_taken_ = false;       // they are those of the list
   IndexedVector<OutlineNode, char> ghost_;  // per node: 1 where another integrator moves its body, or half of it
   std::vector<double> opened_;              // by dilation in the step, per point of the present list [m]
 };

@@ -135,7 +135,8 @@ void Newmark::remember_contact(std::size_t i, const State& state, PointBooks::Ch
   m.fn = t.fn;
   m.fdt = 0.0;
   m.ft = t.ft;
-  if (checks_friction() && FrictionCheck::slides(slip, m)) chunk.slides.emplace_back(i, slip);
+  if (checks_friction() && !friction_check_.goes_on(seconds(state.last_step), slip, m))
+    chunk.slides.emplace_back(i, slip);
 }
 
 void Newmark::leave_contacts(State& state) {
@@ -167,7 +168,7 @@ bool Newmark::move_points(std::span<const double> q) {
   }
   ++steps_in_place_;
   if (!finder_.changed().empty()) finder_.splice(*list_);
-  finder_.find_first(*list_);
+  finder_.find_first();
   const std::span<const std::int32_t> first = finder_.moves_first();
   for (const std::int32_t i : first)
     if (!finder_.made(static_cast<std::size_t>(i))) finder_.move(static_cast<std::size_t>(i), *list_);

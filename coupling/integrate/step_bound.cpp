@@ -6,16 +6,22 @@
 #include <cmath>
 #include <limits>
 
-#include "model/parallel.h"
-
 namespace scree::coupling {
 namespace {
+
+constexpr std::int64_t kFewBodies = 1024;  // fewer are not worth waking threads
 
 /// The largest root of h^2 lambda + 2 h gamma = 4.
 double largest_step(double lambda, double gamma) {
   // 4/(sqrt(gamma^2 + 4 lambda) + gamma) is the same root, also for lambda = 0.
   const double rate = std::sqrt(gamma * gamma + 4.0 * lambda) + gamma;
   return rate > 0.0 ? 4.0 / rate : std::numeric_limits<double>::infinity();
+}
+
+void take_groups(std::span<const std::int32_t> groups, Reach& reach) {
+  if (groups.empty()) return;
+  reach.take(groups.front());
+  reach.take(groups.back());
 }
 
 }  // namespace
@@ -90,31 +96,56 @@ double StepBound::sum(std::int32_t group, bool viscous) const {
   return (viscous ? viscous_ : stiff_)[static_cast<std::size_t>(group)];
 }
 
+void StepBound::find_sizes(const ContactList& list) {
+  const auto points = std::ssize(list.points);
+  sizes_.resize(list.points.size());
+  reach_.resize(static_cast<std::size_t>((points + kChunk - 1) / kChunk));
+  const bool on_threads = omp_get_max_threads() > 1;
+  parallel_for_chunks(points, [&](std::int64_t begin, std::int64_t end) {
+    Reach reach;
+    for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i) {
+      const ContactPoint& p = list.points[i];
+      const auto mu_of = [&](std::size_t n) { return node_compliance_[p.node[n]]; };
+      // The foot lies between the ends (or a little beyond): its compliance is at most that of a combination of the
+      // two.
+      const double ends = std::max({1.0, std::abs(p.at.xi), std::abs(1.0 - p.at.xi)});
+      const double mu = mu_of(0) + ends * ends * std::max(mu_of(1), mu_of(2));
+      const ContactMemory& m = list.memory[i];
+      const double k = (std::max(m.kn, m.kt) + p.margin) / shortens_[static_cast<std::size_t>(m.joint)];
+      sizes_[i] = {k * mu, p.node[0], p.segment};
+      if (on_threads) take_groups(of_node_[p.node[0]], reach), take_groups(of_segment_[p.segment], reach);
+    }
+    reach_[static_cast<std::size_t>(begin / kChunk)] = reach;
+  });
+}
+
 void StepBound::collect_contacts(const StepParts& in) {
   const Outlines& o = setup_->outlines();
   const auto& points = in.contacts.points;
-  sizes_.resize(points.size());
-  parallel_for(std::ssize(points), [&](std::int64_t at) {
-    const auto i = static_cast<std::size_t>(at);
-    const ContactPoint& p = points[i];
-    const auto mu_of = [&](std::size_t n) { return node_compliance_[p.node[n]]; };
-    // The foot lies between the ends (or a little beyond): its compliance is at most that of a combination of the two.
-    const double reach = std::max({1.0, std::abs(p.at.xi), std::abs(1.0 - p.at.xi)});
-    const double mu = mu_of(0) + reach * reach * std::max(mu_of(1), mu_of(2));
-    const ContactMemory& m = in.contacts.memory[i];
-    const double k = (std::max(m.kn, m.kt) + p.margin) / shortens_[static_cast<std::size_t>(m.joint)];
-    sizes_[i] = {k * mu, p.node[0], p.segment};
-  });
-  if (listed_)
+  find_sizes(in.contacts);
+  if (listed_) {
     for (std::size_t i = 0; i < points.size(); ++i) {
       add(Kind::contact, o.node_body[points[i].node[1]], sizes_[i].size, of_node_[sizes_[i].corner]);
       add(Kind::contact, o.node_body[points[i].node[0]], sizes_[i].size, of_segment_[sizes_[i].foot]);
     }
-  else
-    for (const Size& s : sizes_) {
-      for (const std::int32_t g : of_node_[s.corner]) stiff_[static_cast<std::size_t>(g)] += s.size;
-      for (const std::int32_t g : of_segment_[s.foot]) stiff_[static_cast<std::size_t>(g)] += s.size;
+    return;
+  }
+  const auto groups = static_cast<std::int32_t>(stiff_.size());
+  const auto of_part = [&](std::int64_t, std::int32_t begin, std::int32_t end) {
+    const auto add_to = [&](std::span<const std::int32_t> list, double size) {
+      for (const std::int32_t g : list)
+        if (g >= begin && g < end) stiff_[static_cast<std::size_t>(g)] += size;
+    };
+    for (std::size_t c = 0; c < reach_.size(); ++c) {
+      if (end - begin < groups && !reach_[c].meets(begin, end)) continue;
+      const auto chunk = static_cast<std::size_t>(kChunk);
+      for (const Size& s : std::span(sizes_).subspan(chunk * c, std::min(chunk, sizes_.size() - chunk * c))) {
+        add_to(of_node_[s.corner], s.size);
+        add_to(of_segment_[s.foot], s.size);
+      }
     }
+  };
+  parallel_parts(groups, std::ssize(points) >= kSerialBelow, of_part);
 }
 
 void StepBound::collect(const StepParts& in) {
@@ -186,26 +217,36 @@ std::string StepBound::shares(const Body& b, const ExplicitDamping& damping, dou
   return text;
 }
 
+double StepBound::of_body(const Body& b, const ExplicitDamping& damping) const {
+  const Pool& pool = setup_->pool_of(b);
+  const double own = pool.frequency_bound(b.index), theta = pool.mass_ratio(b.index);
+  const double lambda = theta * (1.0 + damping.local) * (own + sum(worst(b, false), false)),
+               gamma = theta * (damping.stiffness * own + sum(worst(b, true), true));
+  return largest_step(lambda, gamma);
+}
+
 double StepBound::certified_step(const StepParts& parts, std::string* binding) {
   listed_ = binding != nullptr;
   collect(parts);
-  double least = std::numeric_limits<double>::infinity();
-  const Body* binds = nullptr;
-  for (const Body& b : setup_->bodies()) {
-    if (b.driven) continue;
-    const Pool& pool = setup_->pool_of(b);
-    const double own = pool.frequency_bound(b.index), theta = pool.mass_ratio(b.index);
-    const double lambda = theta * (1.0 + parts.damping.local) * (own + sum(worst(b, false), false)),
-                 gamma = theta * (parts.damping.stiffness * own + sum(worst(b, true), true));
-    const double h = largest_step(lambda, gamma);
-    if (!(h < least)) continue;
-    least = h;
-    binds = &b;
-  }
-  if (binding != nullptr && binds != nullptr)
-    *binding = fmt::format("block '{}' ({})", setup_->model().blocks[binds->block.index()].name,
-                           shares(*binds, parts.damping, least));
-  return least;
+  const std::span<const Body> bodies = setup_->bodies();
+  const auto count = std::ssize(bodies);
+  least_.assign(static_cast<std::size_t>(count / kChunk + 1), {});
+  const auto of_bodies = [&](std::int64_t begin, std::int64_t end) {
+    Least least;
+    for (std::int64_t i = begin; i < end; ++i) {
+      const Body& b = bodies[static_cast<std::size_t>(i)];
+      if (b.driven) continue;
+      if (const double h = of_body(b, parts.damping); h < least.h) least = {h, &b};
+    }
+    least_[static_cast<std::size_t>(begin / kChunk)] = least;
+  };
+  parallel_for_chunks(count, of_bodies, kFewBodies);
+  const Least least =
+      *std::min_element(least_.begin(), least_.end(), [](const Least& a, const Least& b) { return a.h < b.h; });
+  if (binding != nullptr && least.body != nullptr)
+    *binding = fmt::format("block '{}' ({})", setup_->model().blocks[least.body->block.index()].name,
+                           shares(*least.body, parts.damping, least.h));
+  return least.h;
 }
 
 double slow_step(const Setup& setup, std::string* binding) {

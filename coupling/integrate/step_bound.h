@@ -1,6 +1,7 @@
 // Certified bound of the explicit step with contacts, supports and damping.
 #pragma once
 
+#include <limits>
 #include <span>
 #include <string>
 #include <vector>
@@ -9,6 +10,7 @@
 #include "coupling/integrate/bolt_forces.h"
 #include "coupling/integrate/point_springs.h"
 #include "coupling/integrate/viscous_edges.h"
+#include "model/parallel.h"
 
 namespace scree::coupling {
 
@@ -62,6 +64,10 @@ class StepBound {
     OutlineNode corner;
     SegmentIndex foot;
   };
+  struct Least {  // bound of some bodies
+    double h = std::numeric_limits<double>::infinity();
+    const Body* body = nullptr;
+  };
 
   [[nodiscard]] double compliance(BodyIndex body, const Row& row) const;
   /// Lists of groups, one per index, each in order.
@@ -87,6 +93,8 @@ class StepBound {
   void add_touched(Kind kind, double size);
   void collect(const StepParts& in);
   void collect_contacts(const StepParts& in);
+  void find_sizes(const ContactList& list);
+  [[nodiscard]] double of_body(const Body& b, const ExplicitDamping& damping) const;
   [[nodiscard]] std::int32_t worst(const Body& b, bool viscous) const;
   [[nodiscard]] double sum(std::int32_t group, bool viscous) const;
   [[nodiscard]] std::string shares(const Body& b, const ExplicitDamping& damping, double h) const;
@@ -98,6 +106,8 @@ class StepBound {
   GroupLists<SegmentIndex> of_segment_;                 // of either end
   std::vector<double> stiff_, viscous_;                 // sums, by the first node of a group
   std::vector<Size> sizes_;                             // of the contact points
+  std::vector<Reach> reach_;                            // of every chunk of them, on groups
+  std::vector<Least> least_;                            // of every chunk of bodies
   std::vector<std::int32_t> touched_;
   bool listed_ = false;  // each part is recorded, for the message about what binds the step
   std::vector<Part> list_;

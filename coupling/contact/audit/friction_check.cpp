@@ -137,19 +137,34 @@ double FrictionCheck::period(const ContactPoint& p) {
   return longest;
 }
 
-void FrictionCheck::follow(double h, const ContactPoint& p, double slip, ContactMemory& m) {
+double FrictionCheck::limit(const ContactMemory& m) const {
+  if (m.status == ContactStatus::open) return 0.0;
   const auto joint = static_cast<std::size_t>(m.joint);
-  const double limit =
-      m.status == ContactStatus::open
-          ? 0.0
-          : strength(setup_->laws()[joint], setup_->laws().tan_friction(joint), m).friction_limit(m.fn);
-  if (!std::isfinite(limit)) return;
+  return strength(setup_->laws()[joint], setup_->laws().tan_friction(joint), m).friction_limit(m.fn);
+}
+
+void FrictionCheck::add_step(double h, double slip, double limit, ContactMemory& m) const {
   SlideMemory& s = m.slide;
-  if (s.length == 0.0F) s.length = static_cast<float>(std::max(period(p), h));
   s.time += h;
   s.slip += slip;
   s.drag += h * m.ft;
   s.limit += h * limit;
+}
+
+bool FrictionCheck::goes_on(double h, double slip, ContactMemory& m) const {
+  const SlideMemory& s = m.slide;
+  if (slip == 0.0 && s.length == 0.0F) return true;  // it does not slide
+  const double most = limit(m);
+  if (!std::isfinite(most)) return true;
+  if (s.length == 0.0F || s.time + h >= static_cast<double>(s.length)) return false;
+  add_step(h, slip, most, m);
+  return true;
+}
+
+void FrictionCheck::change_window(double h, const ContactPoint& p, double slip, ContactMemory& m) {
+  SlideMemory& s = m.slide;
+  if (s.length == 0.0F) s.length = static_cast<float>(std::max(period(p), h));
+  add_step(h, slip, limit(m), m);
   if (s.time >= static_cast<double>(s.length))
     close_window(std::max(s.limit / (s.time * m.kt), deformation(p)), still_ ? kLongest * period(p) : 0.0, s);
 }

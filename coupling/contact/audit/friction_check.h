@@ -69,10 +69,11 @@ class FrictionCheck {
   /// @param h     the step [s]   @param slip  signed slip of the point in it [m]
   /// @param m     forces and state at its end; its slide memory is brought up to date
   void see(double h, const ContactPoint& p, double slip, ContactMemory& m) {
-    if (slides(slip, m)) follow(h, p, slip, m);
+    if (!goes_on(h, slip, m)) change_window(h, p, slip, m);
   }
-  /// True for a point that slips in a step, or that is in a stretch: see() does nothing for others.
-  [[nodiscard]] static bool slides(double slip, const ContactMemory& m) { return slip != 0.0 || m.slide.length > 0.0F; }
+  /// The part of see() that concerns the point alone: several threads may call it for different points.
+  /// @return false: a window begins or is complete, which see() has to do; nothing has changed
+  [[nodiscard]] bool goes_on(double h, double slip, ContactMemory& m) const;
   /// Ends all stretches, for a stage without the check.
   static void forget(ContactList& list);
 
@@ -82,7 +83,11 @@ class FrictionCheck {
   [[nodiscard]] double deformation(const ContactPoint& p) const;
 
  private:
-  void follow(double h, const ContactPoint& p, double slip, ContactMemory& m);
+  /// Coulomb limit of a point [N].
+  [[nodiscard]] double limit(const ContactMemory& m) const;
+  /// Adds a step to the present window.
+  void add_step(double h, double slip, double limit, ContactMemory& m) const;
+  void change_window(double h, const ContactPoint& p, double slip, ContactMemory& m);
 
   struct Inertia {
     bool free = false;

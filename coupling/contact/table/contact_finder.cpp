@@ -41,12 +41,10 @@ ContactFinder::ContactFinder(const Setup& setup, double detection)
   const Outlines& o = setup.outlines();
   const std::size_t expected = 2 * o.vertices.size();  // so that steps need not allocate
   moving_.reserve(expected);
-  for (auto* kinds : {&kind_, &next_kind_}) kinds->reserve(expected);
+  kind_.reserve(expected);
   for (auto* points : {&first_, &gone_, &fresh_, &corners_, &paired_}) points->reserve(expected);
-  constexpr std::size_t kFew = 1000, kMany = 16384, kFewOfVertex = 16;
-  unchanged_.reserve(std::min(expected, kMany));  // long lists of which a point changes allocate it once
-  changed_.reserve(std::min(expected, kFew));
-  shift_.reserve(std::min(expected, kFew));
+  constexpr std::size_t kFew = 1000, kFewOfVertex = 16;
+  splice_.reserve(std::min(expected, kFew));
   kept_.resize((o.vertices.size() + kContactChunk - 1) / kContactChunk);
   for (Kept& kept : kept_) {
     kept.changed.reserve(std::min(expected, kFewOfVertex));
@@ -547,6 +545,7 @@ void ContactFinder::list_points(std::span<const VertexEdge> pairs, bool at_start
   const Outlines& o = setup_->outlines();
   merged_ = 0.0;
   gone_.assign(known_.size(), 1);
+  listed_anew_ = true;
   fresh_.clear();
   corners_.clear();
   paired_.clear();

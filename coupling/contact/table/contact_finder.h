@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "coupling/contact/table/quiet_points.h"
+#include "coupling/contact/table/splice.h"
 
 namespace scree::coupling {
 
@@ -38,18 +39,14 @@ class ContactFinder {
   /// found.
   /// @pre index() or take_noted() for the list in its present state
   [[nodiscard]] bool keeps(std::span<const double> q, const ContactList& list);
-  /// Points of a vertex that are made anew: new ones replace those of the list from `begin` to `end`.
-  struct Changed {
-    std::int32_t begin, end;    // in the list
-    std::int32_t first, count;  // of the new ones, among all new ones
-  };
-  [[nodiscard]] std::span<const Changed> changed() const { return changed_; }
+  /// After keeps(): the vertices whose points are made anew.
+  [[nodiscard]] const std::vector<Changed>& changed() const { return splice_.changed(); }
   /// True for a point of changed() whose memory no other point takes over.
   [[nodiscard]] bool gone(std::size_t i) const { return gone_[i] != 0; }
   /// Puts the new points of changed() into the list.
   void splice(ContactList& list);
   /// Before moves_first(), after splice() if any points are changed().
-  void find_first(const ContactList& list);
+  void find_first();
   /// True for such a new point, which is not moved.
   [[nodiscard]] bool made(std::size_t i) const { return moving_[i].made; }
   /// True if its memory is from another vertex or edge.
@@ -140,7 +137,9 @@ class ContactFinder {
                            double& room, bool& anew) const;
   /// For keeps(): true if the pairs of a vertex are its points of the list; then moving_ contains them.
   [[nodiscard]] [[gnu::flatten]] bool stay(VertexIndex vertex, const ContactList& list, Kept& kept);
-  /// For keeps(): makes the points of changed vertices anew, and their places in moving_.
+  /// For keeps(): no memory is without a point, as long as no vertex has changed.
+  void forget_gone(std::size_t size);
+  /// For keeps(): makes the points of changed vertices anew.
   void make_changed();
   /// Lists the points of one vertex.   @param old  the first known point that may belong to it
   void list_vertex(std::span<const VertexEdge> pairs, std::size_t old, bool at_start, ContactList& out);
@@ -226,18 +225,19 @@ class ContactFinder {
   IndexedVector<SegmentIndex, SegmentFrame> frames_;
   bool placed_ = false;                         // those of bodies at rest are set
   std::vector<std::int32_t> fresh_, gone_;      // points without memory; 1 for memory without a point
+  bool listed_anew_ = false;                    // gone_ is that of list_points()
   std::vector<std::int32_t> corners_, paired_;  // points of corners that were open, and those with partners
   struct Kind {                                 // of a point, as the list has it
     bool partnered = false, corner = false;
   };
-  std::vector<Kind> kind_, next_kind_;
-  std::vector<Moving> moving_, unchanged_;  // the latter scratch of make_changed()
-  std::vector<Changed> changed_;
-  ContactList made_;                   // of changed()
-  std::vector<Kept> kept_;             // per chunk of vertices
-  std::vector<std::ptrdiff_t> shift_;  // scratch of splice()
-  std::vector<std::int32_t> first_;    // see moves_first()
-  std::vector<EdgePair> added_;        // joints of points that a mesh has added, in order
+  std::vector<Kind> kind_;
+  std::vector<Moving> moving_;
+  Splice splice_;                                          // of changed()
+  ContactList made_;                                       // its new points
+  std::vector<Kept> kept_;                                 // per chunk of vertices
+  std::vector<std::int32_t> first_;                        // see moves_first()
+  std::vector<std::vector<std::int32_t>> first_by_chunk_;  // scratch
+  std::vector<EdgePair> added_;                            // joints of points that a mesh has added, in order
   /// A remembered point and one of the joints that it may belong to.
   struct OnJoint {
     EdgePair joint;

@@ -1,6 +1,7 @@
 // Contact points updated to the next instant in place: the same list, the same memories, to the bits of find().
 #include <algorithm>
 #include <limits>
+#include <utility>
 
 #include "coupling/contact/table/contact_finder.h"
 #include "model/parallel.h"
@@ -25,11 +26,8 @@ void ContactFinder::index(const ContactList& list, bool in_turn) {
 }
 
 void ContactFinder::take_noted(const ContactList& list) {
-  kind_.swap(next_kind_);
-  if (changed_.empty())
-    known_.take_noted();
-  else
-    known_.take_noted(list.briefs);
+  known_.take_noted();
+  if (!splice_.empty()) known_.replace(splice_, list.briefs);
 }
 
 bool ContactFinder::stays(const VertexEdge& pair, std::int32_t row, const ContactList& list, SegmentIndex& segment,
@@ -124,6 +122,8 @@ bool ContactFinder::keeps(std::span<const double> q, const ContactList& list) {
   if (known_.divided()) return false;
   const std::size_t size = known_.size(), vertices = setup_->outlines().vertices.size();
   moving_.resize(size);
+  forget_gone(size);
+  splice_.begin(size);
   const auto of_vertices = [&](std::int64_t begin, std::int64_t end) {
     Kept& kept = kept_[static_cast<std::size_t>(begin / kContactChunk)];
     kept.anew = false;
@@ -139,11 +139,16 @@ bool ContactFinder::keeps(std::span<const double> q, const ContactList& list) {
   const auto count = static_cast<std::int64_t>(vertices);
   parallel_for_chunks(count, of_vertices, pairs_.pairs().size() < kFewPairs ? count + 1 : 0, kContactChunk);
   if (std::any_of(kept_.begin(), kept_.end(), [](const Kept& kept) { return kept.anew; })) return false;
-  gone_.assign(size, 0);
-  changed_.clear();
   if (std::all_of(kept_.begin(), kept_.end(), [](const Kept& kept) { return kept.changed.empty(); })) return true;
   make_changed();
   return complete_made(list);
+}
+
+void ContactFinder::forget_gone(std::size_t size) {
+  if (std::exchange(listed_anew_, false)) gone_.clear();
+  for (const Changed& c : gone_.empty() ? std::span<const Changed>() : std::span<const Changed>(changed()))
+    std::fill(gone_.begin() + c.begin, gone_.begin() + c.end, 0);
+  gone_.resize(size);
 }
 
 void ContactFinder::make_changed() {
@@ -151,33 +156,22 @@ void ContactFinder::make_changed() {
   made_.memory.clear();
   made_.briefs.clear();
   fresh_.clear();
-  unchanged_.swap(moving_);
-  moving_.clear();
-  std::size_t next = 0;  // the first known point that has no place in moving_ yet
-  const auto take_unchanged = [&](std::size_t end) {
-    for (; next < end; ++next) moving_.push_back(unchanged_[next]);
-  };
   for (const Kept& kept : kept_)
     for (const VertexIndex vertex : kept.changed) {
       const std::size_t begin = known_.first_point(vertex), end = known_.first_point(vertex + 1),
                         pair = pairs_.first_pair(vertex), first = made_.points.size();
-      take_unchanged(begin);
       std::fill(gone_.begin() + static_cast<std::ptrdiff_t>(begin), gone_.begin() + static_cast<std::ptrdiff_t>(end),
                 1);
       list_vertex(pairs_.pairs().subspan(pair, pairs_.first_pair(vertex + 1) - pair), begin, false, made_);
-      const std::size_t count = made_.points.size() - first;
-      changed_.push_back({static_cast<std::int32_t>(begin), static_cast<std::int32_t>(end),
-                          static_cast<std::int32_t>(first), static_cast<std::int32_t>(count)});
-      moving_.resize(moving_.size() + count, Moving{-1, -1, {}, true});
-      next = end;
+      splice_.replace({vertex, static_cast<std::int32_t>(begin), static_cast<std::int32_t>(end),
+                       static_cast<std::int32_t>(first), static_cast<std::int32_t>(made_.points.size() - first)});
     }
-  take_unchanged(known_.size());
 }
 
 bool ContactFinder::complete_made(const ContactList& list) {
   inherit(made_);
   for (const std::int32_t i : fresh_) remember(static_cast<std::size_t>(i), false, made_);
-  for (const Changed& c : changed_)
+  for (const Changed& c : changed())
     for (std::int32_t k = c.begin; k < c.end; ++k) {
       const auto i = static_cast<std::size_t>(k);
       if (gone_[i] != 0 && known_.closed(i) && known_.impact(i) != 0.0 && list.memory[i].gap < 0.0) return false;
@@ -187,58 +181,27 @@ bool ContactFinder::complete_made(const ContactList& list) {
 }
 
 void ContactFinder::splice(ContactList& list) {
-  const std::size_t size = moving_.size(), room = std::max(size, list.points.size());
-  list.points.resize(room);
-  list.memory.resize(room);
-  list.briefs.resize(room);
-  // Points that stay move to the right first, the last of them before those whose place it leaves, then to the left.
-  struct Stretch {
-    std::ptrdiff_t begin, end, to;
+  splice_.move(list.points);
+  splice_.move(list.memory);
+  splice_.move(list.briefs);
+  splice_.move(moving_);
+  splice_.move(kind_);
+  const auto shift_partners = [](ContactPoint& p, std::int32_t by) {
+    for (std::int32_t& partner : p.partner)
+      if (partner >= 0) partner += by;
   };
-  const auto stretch = [&](std::size_t c) {  // before changed point c
-    Stretch s{c == 0 ? 0 : changed_[c - 1].end, static_cast<std::ptrdiff_t>(known_.size()), 0};
-    if (c < changed_.size()) s.end = changed_[c].begin;
-    return s;
-  };
-  std::vector<std::ptrdiff_t>& shift = shift_;
-  shift.assign(changed_.size() + 1, 0);
-  for (std::size_t c = 0; c < changed_.size(); ++c)
-    shift[c + 1] = shift[c] + changed_[c].count - (changed_[c].end - changed_[c].begin);
-  const auto move_all = [&](auto& of_point, const Stretch& s, std::ptrdiff_t by) {
-    const auto begin = of_point.begin() + s.begin, end = of_point.begin() + s.end;
-    if (by > 0)
-      std::move_backward(begin, end, end + by);
-    else
-      std::move(begin, end, begin + by);
-  };
-  const auto move_stretch = [&](std::size_t c) {
-    const Stretch s = stretch(c);
-    move_all(list.points, s, shift[c]);
-    move_all(list.memory, s, shift[c]);
-    move_all(list.briefs, s, shift[c]);
-    for (std::ptrdiff_t i = s.begin + shift[c]; i < s.end + shift[c]; ++i)
-      if (kind_[static_cast<std::size_t>(i - shift[c])].partnered)
-        for (std::int32_t& partner : list.points[static_cast<std::size_t>(i)].partner)
-          if (partner >= 0) partner += static_cast<std::int32_t>(shift[c]);
-  };
-  for (std::size_t c = changed_.size() + 1; c-- > 0;)
-    if (shift[c] > 0) move_stretch(c);
-  for (std::size_t c = 0; c <= changed_.size(); ++c)
-    if (shift[c] < 0) move_stretch(c);
-  for (std::size_t c = 0; c < changed_.size(); ++c)
-    for (std::int32_t k = 0; k < changed_[c].count; ++k) {
-      const auto from = static_cast<std::size_t>(changed_[c].first) + static_cast<std::size_t>(k),
-                 to = static_cast<std::size_t>(changed_[c].begin + shift[c] + k);
-      list.points[to] = made_.points[from];
-      list.memory[to] = made_.memory[from];
-      list.briefs[to] = made_.briefs[from];
-      for (std::int32_t& partner : list.points[to].partner)
-        if (partner >= 0) partner += static_cast<std::int32_t>(to) - static_cast<std::int32_t>(from);
-    }
-  list.points.resize(size);
-  list.memory.resize(size);
-  list.briefs.resize(size);
-  known_.expect(size);
+  splice_.for_moved([&](std::size_t i, std::int32_t by) {
+    if (kind_[i].partnered) shift_partners(list.points[i], by);
+  });
+  splice_.for_new([&](std::size_t to, std::size_t from) {
+    list.points[to] = made_.points[from];
+    list.memory[to] = made_.memory[from];
+    list.briefs[to] = made_.briefs[from];
+    shift_partners(list.points[to], static_cast<std::int32_t>(to) - static_cast<std::int32_t>(from));
+    moving_[to] = {-1, -1, {}, true};
+    kind_[to] = {has_partner(list.points[to]), !list.points[to].edge_edge};
+  });
+  known_.expect(splice_.size());
 }
 
 bool ContactFinder::move_along(const VertexEdge& pair, const Moving& moving, ContactPoint& p, ContactMemory& m) const {
@@ -269,7 +232,7 @@ void ContactFinder::move(std::size_t i, ContactList& list) {
   const Moving& moving = moving_[i];
   const VertexEdge& pair = pairs_.pairs()[static_cast<std::size_t>(moving.pair)];
   if (move_along(pair, moving, p, m)) {
-    if (!next_kind_[i].partnered && !setup_->model().waters.empty()) fill_with_water(p, m);
+    if (!kind_[i].partnered && !setup_->model().waters.empty()) fill_with_water(p, m);
     return;
   }
   const bool closed = m.status != ContactStatus::open;
@@ -283,26 +246,19 @@ void ContactFinder::move(std::size_t i, ContactList& list) {
   (void)touches(pair, &m, closed, p);
   describe(pair, &m, closed, p);
   fill(&m, false, false, p, m);
-  next_kind_[i].corner = !p.edge_edge;
-  const bool waits = next_kind_[i].partnered || !p.edge_edge;  // for settle()
+  kind_[i].corner = !p.edge_edge;
+  const bool waits = kind_[i].partnered || !p.edge_edge;  // for settle()
   if (!waits && !setup_->model().waters.empty()) fill_with_water(p, m);
 }
 
-void ContactFinder::find_first(const ContactList& list) {
-  first_.clear();
-  next_kind_.resize(moving_.size());
-  for (std::size_t i = 0; i < moving_.size(); ++i) {
-    if (moving_[i].made) {
-      const ContactPoint& p = list.points[i];
-      next_kind_[i] = {has_partner(p), !p.edge_edge};
-      first_.push_back(static_cast<std::int32_t>(i));
-      continue;
-    }
-    const Kind& was = kind_[static_cast<std::size_t>(moving_[i].from)];
-    next_kind_[i] = was;
-    if (was.partnered || was.corner || !(pairs_.pairs()[static_cast<std::size_t>(moving_[i].pair)].tributary > 0.0))
-      first_.push_back(static_cast<std::int32_t>(i));
-  }
+void ContactFinder::find_first() {
+  const auto take = [this](std::int64_t at, std::vector<std::int32_t>& out) {
+    const auto i = static_cast<std::size_t>(at);
+    if (moving_[i].made || kind_[i].partnered || kind_[i].corner ||
+        !(pairs_.pairs()[static_cast<std::size_t>(moving_[i].pair)].tributary > 0.0))
+      out.push_back(static_cast<std::int32_t>(i));
+  };
+  parallel_list(std::ssize(moving_), first_by_chunk_, first_, take);
 }
 
 void ContactFinder::settle(ContactList& list) {
@@ -312,7 +268,7 @@ void ContactFinder::settle(ContactList& list) {
   for (const std::int32_t k : first_) {
     const auto i = static_cast<std::size_t>(k);
     if (!list.points[i].edge_edge && !was_closed(list.points[i])) corners_.push_back(k);
-    if (next_kind_[i].partnered) paired_.push_back(k);
+    if (kind_[i].partnered) paired_.push_back(k);
   }
   cover_corners(list);
   suppress_second_edges(false, list);

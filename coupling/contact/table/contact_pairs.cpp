@@ -3,7 +3,6 @@
 #include <omp.h>
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <iterator>
 #include <limits>
@@ -67,7 +66,6 @@ ContactPairs::ContactPairs(const Setup& setup, const JointSprings& springs, doub
     for (Found& f : lists->found) f.pairs.reserve(std::min(expected, 2 * static_cast<std::size_t>(kContactChunk)));
     lists->place.reserve(expected);
   }
-  next_.reserve(lists_.first.size());
   origin_.reserve(expected);
 }
 
@@ -214,47 +212,36 @@ void ContactPairs::sort() {
   origin_.resize(pairs.size());
   lists_.place.resize(pairs.size());
   // In the order of vertices; origin_ holds the number of each pair in the order in which they were found.
-  const bool on_threads = omp_get_max_threads() > 1 && count >= kFewEdgePairs;
-  const auto add_one = [on_threads](std::int32_t& to) {
-    return on_threads ? std::atomic_ref(to).fetch_add(1, std::memory_order_relaxed) : to++;
+  const bool on_threads = count >= kFewEdgePairs && omp_get_max_threads() > 1;
+  const auto find_reach = [&](std::int64_t c) {
+    Found& f = found[static_cast<std::size_t>(c)];
+    f.reach = {};
+    for (const VertexEdge& p : f.pairs) f.reach.take(p.vertex.value);
   };
-  const auto for_chunks = [&](auto&& of_chunk) {
-    parallel_for(
-        std::ssize(found), [&](std::int64_t c) { of_chunk(found[static_cast<std::size_t>(c)]); },
-        on_threads ? 2 : std::ssize(found) + 1);
+  if (on_threads) parallel_for(std::ssize(found), find_reach, 0);
+  const auto for_found = [&](std::int32_t begin, std::int32_t end, auto&& see) {
+    for (const Found& f : found)
+      for (std::size_t k = 0; k < f.pairs.size() && (!on_threads || f.reach.meets(begin, end)); ++k)
+        if (const std::int32_t v = f.pairs[k].vertex.value; v >= begin && v < end)
+          see(v, std::pair(&f.pairs[k], f.first + static_cast<std::int32_t>(k)));
   };
-  next_.assign(lists_.first.size(), 0);
-  for_chunks([&](const Found& f) {
-    for (const VertexEdge& p : f.pairs) add_one(next_[p.vertex + 1]);
-  });
-  std::vector<std::int32_t>& next_of = next_.values();
-  for (std::size_t v = 1; v < next_of.size(); ++v) next_of[v] += next_of[v - 1];
-  for_chunks([&](const Found& f) {
-    std::int32_t k = f.first;
-    for (const VertexEdge& p : f.pairs) {
-      const auto at = static_cast<std::size_t>(add_one(next_[p.vertex]));
-      pairs[at] = p;
-      origin_[at] = k++;
-    }
-  });
-  // Now next_ holds the place after the last pair of each vertex. Threads put the pairs of a vertex in any order.
-  const auto sort_vertex = [&](std::int64_t v) { return sort_of_vertex(static_cast<std::size_t>(v)) ? 1.0 : 0.0; };
-  const auto vertices = std::ssize(next_of) - 1;
-  const double merges = parallel_largest(vertices, sort_vertex, on_threads ? 2 : vertices + 1);
-  lists_.first.values().back() = count;
-  lists_.merged = merges > 0.0;
+  const auto put = [&](std::int32_t place, const std::pair<const VertexEdge*, std::int32_t>& item) {
+    pairs[static_cast<std::size_t>(place)] = *item.first;
+    origin_[static_cast<std::size_t>(place)] = item.second;
+  };
+  by_vertex_.sort(lists_.first.values(), on_threads, for_found, put);
+  const auto merges = [&](std::int64_t v) { return sort_of_vertex(VertexIndex::of(v)) ? 1.0 : 0.0; };
+  const auto vertices = std::ssize(lists_.first.values()) - 1;
+  lists_.merged = parallel_largest(vertices, merges, on_threads ? 0 : vertices + 1) > 0.0;
   if (lists_.merged) merge();
 }
 
-bool ContactPairs::sort_of_vertex(std::size_t vertex) {
+bool ContactPairs::sort_of_vertex(VertexIndex vertex) {
   std::vector<VertexEdge>& pairs = lists_.pairs;
-  const auto begin = vertex == 0 ? std::size_t{0} : static_cast<std::size_t>(next_.values()[vertex - 1]),
-             end = static_cast<std::size_t>(next_.values()[vertex]);
+  const std::size_t begin = first_pair(vertex), end = first_pair(vertex + 1);
   bool merges = false;
   for (std::size_t i = begin + 1; i < end; ++i)  // they are few
-    for (std::size_t j = i; j > begin; --j) {
-      const bool after = comes_before(pairs[j - 1], pairs[j]);
-      if (after || (!comes_before(pairs[j], pairs[j - 1]) && origin_[j - 1] < origin_[j])) break;
+    for (std::size_t j = i; j > begin && comes_before(pairs[j], pairs[j - 1]); --j) {
       std::swap(pairs[j], pairs[j - 1]);
       std::swap(origin_[j], origin_[j - 1]);
     }
@@ -262,7 +249,6 @@ bool ContactPairs::sort_of_vertex(std::size_t vertex) {
     lists_.place[static_cast<std::size_t>(origin_[i])] = {static_cast<std::int32_t>(i), false};
     merges = merges || (i > begin && pairs[i].edge == pairs[i - 1].edge);
   }
-  lists_.first.values()[vertex] = static_cast<std::int32_t>(begin);
   return merges;
 }
 
@@ -272,8 +258,8 @@ void ContactPairs::merge() {
   std::vector<std::int32_t>& first_of = lists_.first.values();
   std::size_t kept = 0, begin = 0;
   for (std::size_t v = 0; v + 1 < first_of.size(); ++v) {
+    const auto end = static_cast<std::size_t>(first_of[v + 1]);
     first_of[v] = static_cast<std::int32_t>(kept);
-    const auto end = static_cast<std::size_t>(next_.values()[v]);
     for (std::size_t i = begin; i < end; ++i) {
       const std::int32_t from = origin_[i];
       if (i > begin && pairs[kept - 1].edge == pairs[i].edge) {
@@ -341,9 +327,15 @@ void ContactPairs::place_edges(OutlinePositions x, IndexRange<EdgeIndex> range) 
 void ContactPairs::find_deep(const KnownContacts& known) {
   const Outlines& o = setup_->outlines();
   deep_.clear();
+  const auto depth = [&](std::int64_t i) {
+    const auto k = static_cast<std::size_t>(i);
+    return known.closed(k) ? -known.whole_gap(k) : 0.0;
+  };
+  const double deep = 0.25 * reach_;
+  if (parallel_largest(static_cast<std::int64_t>(known.size()), depth) < deep) return;
   for (std::size_t i = 0; i < known.size(); ++i) {
     if (!known.closed(i)) continue;
-    if (known.whole_gap(i) > -0.25 * reach_) continue;
+    if (known.whole_gap(i) > -deep) continue;
     const VertexIndex vertex = known.vertex(i);
     const EdgeIndex edge = known.edge(i);
     // Corners are tried with the edge that begins at them.

@@ -11,6 +11,7 @@
 #include "coupling/contact/search/search.h"
 #include "coupling/contact/table/known_contacts.h"
 #include "coupling/contact/table/quiet_pairs.h"
+#include "model/buckets.h"
 
 namespace scree::coupling {
 
@@ -75,6 +76,7 @@ class ContactPairs {
     std::size_t count = 0;   // number of pairs so far
     std::int32_t first = 0;  // number of the first one among all
     bool same = false;       // they equal those of the last update
+    Reach reach;             // their vertices, where several threads sort them
     EdgeOverlap overlap;     // scratch
 
     void begin() { count = 0, same = true; }
@@ -103,7 +105,7 @@ class ContactPairs {
   /// Sorts the pairs: by vertex in one pass, then the few of each vertex, and merges those of one edge.
   void sort();
   /// @return true: some are of one edge
-  bool sort_of_vertex(std::size_t vertex);
+  bool sort_of_vertex(VertexIndex vertex);
   void merge();
   /// Updates the pairs without sorting, if the same vertices against the same edges were listed as last time, in the
   /// same order.
@@ -135,10 +137,10 @@ class ContactPairs {
   };
   Lists lists_, other_;  // of the last update, and of the other kind (ghosts, or all): most updates of a kind are alike
   bool ghosts_ = false;  // lists_ is that of ghosts
-  std::int64_t numbers_ = 0;                       // the last list_number()
-  std::vector<std::int32_t> origin_;               // scratch of sort()
-  IndexedVector<VertexIndex, std::int32_t> next_;  // where sort() puts the next pair of a vertex
-  std::vector<EdgePair> deep_;                     // of closed contacts deeper than the search reaches
+  std::int64_t numbers_ = 0;          // the last list_number()
+  std::vector<std::int32_t> origin_;  // scratch of sort()
+  Buckets by_vertex_;
+  std::vector<EdgePair> deep_;  // of closed contacts deeper than the search reaches
 };
 
 }  // namespace scree::coupling

@@ -4,8 +4,8 @@
 #include <utility>
 #include <vector>
 
-#include "coupling/contact/table/contact_point.h"
-#include "model/parallel.h"
+#include "coupling/contact/table/splice.h"
+#include "model/buckets.h"
 
 namespace scree::coupling {
 
@@ -13,7 +13,7 @@ namespace scree::coupling {
 class KnownContacts {
  public:
   explicit KnownContacts(const Outlines& outlines)
-      : outlines_(&outlines), first_(outlines.vertices.size() + 1), against_first_(outlines.edges.size() + 2) {
+      : outlines_(&outlines), first_(outlines.vertices.size() + 1), against_first_(outlines.edges.size() + 1) {
     places_.reserve(2 * outlines.vertices.size());  // so that steps need not allocate
     points_.reserve(places_.capacity());
     next_.reserve(places_.capacity());
@@ -43,14 +43,9 @@ class KnownContacts {
   void take_noted() { points_.swap(next_); }
   /// Called before note() if the list of the next instant is another one.
   void expect(std::size_t size) { next_.resize(size); }
-  /// The same when all points of that list have been noted.   @pre segments are known
-  void take_noted(const std::vector<ContactList::Brief>& briefs) {
-    points_.swap(next_);
-    next_.resize(briefs.size());
-    places_.resize(briefs.size());
-    for (std::size_t i = 0; i < briefs.size(); ++i) places_[i] = {briefs[i].vertex, briefs[i].edge};
-    list_places();
-  }
+  /// After take_noted(): the list of the next instant is another one.
+  /// @param briefs  of the new list   @pre segments are known
+  void replace(const Splice& splice, const std::vector<ContactList::Brief>& briefs);
   /// True if a body was made anew since, so that a contact has no valid segment; and the same for a closed contact.
   [[nodiscard]] bool divided() const { return divided_; }
   [[nodiscard]] bool closed_divided() const { return closed_divided_; }
@@ -119,21 +114,12 @@ class KnownContacts {
   /// Indexes points by vertex and by edge.
   void list_places() {
     first_.assign(first_.size(), 0);
-    std::vector<std::int32_t>&of_vertex = first_.values(), &of_edge = against_first_.values();
-    // Points in the order of their edges: counts are one place further on, so that filling leaves the first ones.
-    against_first_.assign(against_first_.size(), 0);
-    for (const Place& p : places_) {
-      ++first_[p.vertex + 1];
-      ++against_first_[p.edge + 2];
-    }
+    std::vector<std::int32_t>& of_vertex = first_.values();
+    for (const Place& p : places_) ++first_[p.vertex + 1];
     for (std::size_t v = 1; v < of_vertex.size(); ++v) of_vertex[v] += of_vertex[v - 1];
-    for (std::size_t e = 2; e < of_edge.size(); ++e) of_edge[e] += of_edge[e - 1];
-    against_.resize(places_.size());
-    for (std::size_t i = 0; i < places_.size(); ++i) {
-      std::int32_t& next = against_first_[places_[i].edge + 1];
-      against_[static_cast<std::size_t>(next++)] = static_cast<std::int32_t>(i);
-    }
+    list_edges();
   }
+  void list_edges();
   /// Data that searches read, contiguous in memory.
   struct Brief {
     double whole_gap, gap0, impact;
@@ -150,7 +136,45 @@ class KnownContacts {
   bool divided_ = false, closed_divided_ = false;
   IndexedVector<VertexIndex, std::int32_t> first_;        // its first point, and the end
   IndexedVector<EdgeIndex, std::int32_t> against_first_;  // the first in against_, and the end
-  std::vector<std::int32_t> against_;                     // points by edge
+  std::vector<std::int32_t> against_;                     // points in the order of their edges
+  std::vector<Reach> reach_;                              // of every chunk of points, on edges
+  Buckets by_edge_;
 };
+
+inline void KnownContacts::list_edges() {
+  const auto size = std::ssize(places_);
+  against_.resize(places_.size());
+  reach_.resize(static_cast<std::size_t>((size + kChunk - 1) / kChunk));
+  parallel_for_chunks(size, [&](std::int64_t begin, std::int64_t end) {
+    Reach reach;
+    for (std::int64_t i = begin; i < end; ++i) reach.take(places_[static_cast<std::size_t>(i)].edge.value);
+    reach_[static_cast<std::size_t>(begin / kChunk)] = reach;
+  });
+  const auto for_points = [&](std::int32_t begin, std::int32_t end, auto&& see) {
+    for (std::size_t c = 0; c < reach_.size(); ++c) {
+      if (!reach_[c].meets(begin, end)) continue;
+      const auto first = static_cast<std::int32_t>(kChunk * static_cast<std::int64_t>(c)),
+                 last = static_cast<std::int32_t>(std::min(size, first + kChunk));
+      for (std::int32_t i = first; i < last; ++i)
+        if (const std::int32_t e = places_[static_cast<std::size_t>(i)].edge.value; e >= begin && e < end) see(e, i);
+    }
+  };
+  by_edge_.sort(against_first_.values(), size >= kSerialBelow, for_points,
+                [&](std::int32_t place, std::int32_t i) { against_[static_cast<std::size_t>(place)] = i; });
+}
+
+inline void KnownContacts::replace(const Splice& splice, const std::vector<ContactList::Brief>& briefs) {
+  next_.resize(briefs.size());
+  splice.move(places_);
+  splice.for_new([&](std::size_t i, std::size_t) { places_[i] = {briefs[i].vertex, briefs[i].edge}; });
+  for (std::size_t c = 0; c < splice.changed().size(); ++c) {
+    const bool last = c + 1 == splice.changed().size();
+    const VertexIndex begin = splice.changed()[c].vertex + 1,
+                      end = last ? first_.next() : splice.changed()[c + 1].vertex + 1;
+    if (const std::int32_t by = splice.shift_after(c); by != 0)
+      for (const VertexIndex v : IndexRange(begin, end)) first_[v] += by;
+  }
+  list_edges();
+}
 
 }  // namespace scree::coupling

@@ -49,6 +49,32 @@ TEST(Parallel, finds_the_largest_wherever_it_is) {
   });
 }
 
+TEST(Parallel, parts_cover_all_slots_once_and_each_takes_the_chunks_that_reach_it) {
+  with_threads([&](int threads) {
+    for (const std::int32_t n : {0, 1, 2, 100}) {
+      std::vector<int> times(static_cast<std::size_t>(n), 0);
+      parallel_parts(n, true, [&](std::int64_t part, std::int32_t begin, std::int32_t end) {
+        EXPECT_LT(part, threads);
+        for (std::int32_t i = begin; i < end; ++i) ++times[static_cast<std::size_t>(i)];
+      });
+      EXPECT_EQ(times, std::vector<int>(static_cast<std::size_t>(n), 1)) << threads;
+    }
+    parallel_parts(10, false, [](std::int64_t part, std::int32_t begin, std::int32_t end) {
+      EXPECT_EQ(part, 0);
+      EXPECT_EQ(begin, 0);
+      EXPECT_EQ(end, 10);
+    });
+  });
+  Reach reach;
+  EXPECT_FALSE(reach.meets(0, 100));
+  reach.take(7);
+  reach.take(4);
+  EXPECT_TRUE(reach.meets(7, 9));
+  EXPECT_TRUE(reach.meets(0, 5));
+  EXPECT_FALSE(reach.meets(8, 9));
+  EXPECT_FALSE(reach.meets(0, 4));
+}
+
 TEST(Parallel, sums_have_the_same_bits) {
   std::vector<double> partial;
   double one = 0.0;
