@@ -45,6 +45,9 @@ ContactFinder::ContactFinder(const Setup& setup, double detection)
   for (auto* points : {&first_, &gone_, &fresh_, &corners_, &paired_}) points->reserve(expected);
   constexpr std::size_t kFew = 1000, kFewOfVertex = 16;
   splice_.reserve(std::min(expected, kFew));
+  first_by_chunk_.resize(expected / kChunk + 1);
+  for (std::vector<std::int32_t>& list : first_by_chunk_)
+    list.reserve(std::min(expected, static_cast<std::size_t>(kChunk)));
   kept_.resize((o.vertices.size() + kContactChunk - 1) / kContactChunk);
   for (Kept& kept : kept_) {
     kept.changed.reserve(std::min(expected, kFewOfVertex));
