@@ -106,8 +106,7 @@ void StepBound::find_sizes(const ContactList& list) {
     for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i) {
       const ContactPoint& p = list.points[i];
       const auto mu_of = [&](std::size_t n) { return node_compliance_[p.node[n]]; };
-      // The foot lies between the ends (or a little beyond): its compliance is at most that of a combination of the
-      // two.
+      // The foot lies between the ends, or a little beyond: its compliance is at most that of their combination.
       const double ends = std::max({1.0, std::abs(p.at.xi), std::abs(1.0 - p.at.xi)});
       const double mu = mu_of(0) + ends * ends * std::max(mu_of(1), mu_of(2));
       const ContactMemory& m = list.memory[i];

@@ -87,6 +87,7 @@ class FrictionCheck {
   [[nodiscard]] double limit(const ContactMemory& m) const;
   /// Adds a step to the present window.
   void add_step(double h, double slip, double limit, ContactMemory& m) const;
+  /// Begins or completes a window with a step.
   void change_window(double h, const ContactPoint& p, double slip, ContactMemory& m);
 
   struct Inertia {

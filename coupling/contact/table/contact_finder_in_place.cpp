@@ -145,9 +145,10 @@ bool ContactFinder::keeps(std::span<const double> q, const ContactList& list) {
 }
 
 void ContactFinder::forget_gone(std::size_t size) {
-  if (std::exchange(listed_anew_, false)) gone_.clear();
-  for (const Changed& c : gone_.empty() ? std::span<const Changed>() : std::span<const Changed>(changed()))
-    std::fill(gone_.begin() + c.begin, gone_.begin() + c.end, 0);
+  if (std::exchange(listed_anew_, false))
+    gone_.clear();
+  else
+    for (const Changed& c : changed()) std::fill(gone_.begin() + c.begin, gone_.begin() + c.end, 0);
   gone_.resize(size);
 }
 
