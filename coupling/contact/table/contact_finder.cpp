@@ -160,56 +160,6 @@ ContactFinder::Under ContactFinder::segment_under(const Vec2& x, EdgeIndex edge,
   return out;
 }
 
-std::int32_t ContactFinder::neighbour(const ContactPoint& p, bool next_only) const {
-  if (!p.edge_edge || p.largest_tributary == 0.0) return -1;
-  const Outlines& o = setup_->outlines();
-  const EdgeIndex own = pairs_.opposing_edge(p.vertex, p.edge);
-  const Vec2& at = x_[p.node[0]];
-  double nearest = std::numeric_limits<double>::infinity();
-  std::int32_t found = -1;
-  const auto distance = [&](VertexIndex vertex) { return (x_[o.vertices[vertex].node] - at).norm(); };
-  const auto fits = [&](std::size_t i) {
-    return (known_.closed(i) || (!next_only && p.from < 0)) && known_.edge_edge(i) &&
-           (known_.vertex(i) != p.vertex || known_.edge(i) != p.edge);
-  };
-  const auto take = [&](std::size_t i, double d) {
-    nearest = d;
-    found = static_cast<std::int32_t>(i);
-  };
-  if (!next_only)
-    known_.for_pair(own, p.edge, [&](std::size_t i) {
-      if (!fits(i)) return;
-      const double d = distance(known_.vertex(i));
-      if (!(d >= nearest)) take(i, d);
-    });
-  if (found >= 0) return found;
-  // Points of either edge with edges in line with the other, of any body. The distance is the cheapest condition that
-  // few points meet.
-  for (const auto& [of, against] : {std::pair(own, p.edge), std::pair(p.edge, own)}) {
-    const auto next = [this, other = against](EdgeIndex edge) { return edge != other && pairs_.in_line(edge, other); };
-    const auto too_far = [&](double d) { return d > detection_ || d >= nearest; };
-    const Outlines::Edge& edge = o.edges[of];
-    for (std::int32_t k = 0; k <= edge.segments; ++k) {
-      const VertexIndex vertex = edge.vertex(k);
-      const double d = distance(vertex);
-      if (too_far(d)) continue;
-      known_.for_vertex(
-          vertex, [](EdgeIndex) { return true; },
-          [&](std::size_t i) {
-            if (!too_far(d) && fits(i) && next(known_.edge(i))) take(i, d);
-          });
-    }
-    // Where vertices meet exactly, either may stand for both.
-    known_.for_against(of, [&](std::size_t i) {
-      if (!fits(i)) return;
-      const VertexIndex vertex = known_.vertex(i);
-      const double d = distance(vertex);
-      if (!too_far(d) && next(pairs_.opposing_edge(vertex, known_.edge(i)))) take(i, d);
-    });
-  }
-  return found;
-}
-
 void ContactFinder::set_range(ContactPoint& p, bool closed) const {
   if (p.edge_edge) {  // it ends with the overlap of its edges, not where its foot leaves the segment
     p.s_low = -detection_;

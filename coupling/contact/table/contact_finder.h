@@ -131,10 +131,10 @@ class ContactFinder {
   [[nodiscard]] [[gnu::noinline]] bool passes_on(std::size_t first, std::size_t last, const ContactList& list,
                                                  std::vector<ContactPoint>& of_vertex) const;
   /// For keeps(): true if the pair is a point, or none, as it was before.   @param row  its point in the list, or -1
-  /// @param segment, room  receive those of Under, room only where it is not 0: of meshes, of none and of overlaps
-  /// @param anew           becomes true where find_again() is required
-  [[nodiscard]] bool stays(const VertexEdge& pair, std::int32_t row, const ContactList& list, SegmentIndex& segment,
-                           double& room, bool& anew) const;
+  /// @param quiet  receives its kind and segment, and room where it is not 0: of meshes, of none and of overlaps
+  /// @param anew   becomes true where find_again() is required
+  [[nodiscard]] bool stays(const VertexEdge& pair, std::int32_t row, const ContactList& list, QuietPoints::Quiet& quiet,
+                           bool& anew) const;
   /// For keeps(): true if the pairs of a vertex are its points of the list; then moving_ contains them.
   [[nodiscard]] [[gnu::flatten]] bool stay(VertexIndex vertex, const ContactList& list, Kept& kept);
   /// For keeps(): no memory is without a point, as long as no vertex has changed.

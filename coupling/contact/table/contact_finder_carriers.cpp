@@ -1,5 +1,7 @@
 // Which of the contacts of a corner carry: those with two edges that meet, and those at the end of an edge.
 #include <algorithm>
+#include <limits>
+#include <utility>
 
 #include "coupling/contact/table/contact_finder.h"
 #include "coupling/contact/table/contact_finder_rules.h"
@@ -34,6 +36,64 @@ bool suppress_by_place(bool at_start, ContactPoint& a, const ContactMemory& ma, 
 }
 
 }  // namespace
+
+std::int32_t ContactFinder::neighbour(const ContactPoint& p, bool next_only) const {
+  if (!p.edge_edge || p.largest_tributary == 0.0) return -1;
+  const Outlines& o = setup_->outlines();
+  const EdgeIndex own = pairs_.opposing_edge(p.vertex, p.edge);
+  const Vec2& at = x_[p.node[0]];
+  double nearest = std::numeric_limits<double>::infinity();
+  std::int32_t found = -1;
+  const auto distance = [&](VertexIndex vertex) { return (x_[o.vertices[vertex].node] - at).norm(); };
+  const auto fits = [&](std::size_t i) {
+    return (known_.closed(i) || (!next_only && p.from < 0)) && known_.edge_edge(i) &&
+           (known_.vertex(i) != p.vertex || known_.edge(i) != p.edge);
+  };
+  const auto take = [&](std::size_t i, double d) {
+    nearest = d;
+    found = static_cast<std::int32_t>(i);
+  };
+  if (!next_only)
+    known_.for_pair(own, p.edge, [&](std::size_t i) {
+      if (!fits(i)) return;
+      const double d = distance(known_.vertex(i));
+      if (!(d >= nearest)) take(i, d);
+    });
+  if (found >= 0) return found;
+  // Points of either edge with edges in line with the other, of any body. The distance is the cheapest condition that
+  // few points meet; of a long edge only those are seen that may meet it.
+  const auto part_of = [&](EdgeIndex edge) {
+    if (edge == p.edge) return o.segments[p.segment].part;
+    const Outlines::Segment& next = o.segments[leaving(p.vertex)];
+    return next.edge == edge ? next.part : o.edges[edge].segments;
+  };
+  for (const auto& [of, against] : {std::pair(own, p.edge), std::pair(p.edge, own)}) {
+    const auto next = [this, other = against](EdgeIndex edge) { return edge != other && pairs_.in_line(edge, other); };
+    const auto too_far = [&](double d) { return d > detection_ || d >= nearest; };
+    // A point within `detection_` of this one is over a segment within twice that.
+    const Outlines::Edge& edge = o.edges[of];
+    const auto [first, last] = part_near(o, x_, edge, pairs_.direction(of), part_of(of), at, 2.0 * detection_);
+    for (std::int32_t k = first; k <= last; ++k) {
+      const VertexIndex vertex = edge.vertex(k);
+      const double d = distance(vertex);
+      if (too_far(d)) continue;
+      known_.for_vertex(
+          vertex, [](EdgeIndex) { return true; },
+          [&](std::size_t i) {
+            if (!too_far(d) && fits(i) && next(known_.edge(i))) take(i, d);
+          });
+    }
+    // Where vertices meet exactly, either may stand for both.
+    known_.for_against(of, [&](std::size_t i) {
+      const std::int32_t segment = known_.segment(i);
+      if ((segment >= 0 && (segment < first || segment > last)) || !fits(i)) return;
+      const VertexIndex vertex = known_.vertex(i);
+      const double d = distance(vertex);
+      if (!too_far(d) && next(pairs_.opposing_edge(vertex, known_.edge(i)))) take(i, d);
+    });
+  }
+  return found;
+}
 
 double ContactFinder::entry_depth(const ContactPoint& p) const {
   const std::int32_t i = neighbour(p, true);

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "coupling/contact/table/contact_finder.h"
+#include "coupling/contact/table/contact_finder_rules.h"
 #include "model/parallel.h"
 
 namespace scree::coupling {
@@ -30,36 +31,43 @@ void ContactFinder::take_noted(const ContactList& list) {
   if (!splice_.empty()) known_.replace(splice_, list.briefs);
 }
 
-bool ContactFinder::stays(const VertexEdge& pair, std::int32_t row, const ContactList& list, SegmentIndex& segment,
-                          double& room, bool& anew) const {
+bool ContactFinder::stays(const VertexEdge& pair, std::int32_t row, const ContactList& list, QuietPoints::Quiet& quiet,
+                          bool& anew) const {
+  using As = QuietPoints::Kind;
   const Outlines& o = setup_->outlines();
   const Outlines::Edge& edge = o.edges[pair.edge];
   const bool listed = row >= 0, closed = listed && known_.closed(static_cast<std::size_t>(row)),
              faces = pair.tributary > 0.0, several = edge.segments > 1;
-  segment = edge.first_segment;
+  quiet = {!listed ? As::far : (closed ? As::closed : As::open), edge.first_segment, 0.0};
   if (closed && faces && !several) return true;
   const Vec2& at = x_[o.vertices[pair.vertex].node];
   const Under under = closed && !several
-                          ? Under{segment, 0.0}
+                          ? Under{quiet.segment, 0.0}
                           : segment_under(at, pair.edge, listed ? known_.segment(static_cast<std::size_t>(row)) : -1);
-  segment = under.segment;
+  quiet.segment = under.segment;
   if (!closed && under.distance > detection_) {
     // The distance to a segment changes by what both move.
-    if (several && !listed) room = std::min(under.room, 0.5 * (under.distance - detection_));
+    if (several && !listed) quiet.room = std::min(under.room, 0.5 * (under.distance - detection_));
     return !listed;
   }
   if (closed && faces) {
-    room = under.room;
+    quiet.room = under.room;
     return true;
   }
   ContactPoint p;
-  p.segment = segment;
+  p.segment = under.segment;
   p.from = row;
   const ContactMemory* was = listed ? &list.memory[static_cast<std::size_t>(row)] : nullptr;
   if (touches(pair, was, closed, p) != listed) return false;
   // Open, and near: such a point ends with the overlap, or where it is no longer near.
   if (several && listed && !closed && p.edge_edge && springs_.width(pair.edge) > 2.0 * detection_)
-    room = std::min(under.room, 0.5 * (detection_ - under.distance));
+    quiet.room = std::min(under.room, 0.5 * (detection_ - under.distance));
+  if (several && !listed && !faces) {
+    const Outlines::Vertex& v = o.vertices[pair.vertex];
+    const auto side = [&](OutlineNode next) { return averted_room(x_[next] - at, p.at); };
+    const double room = std::max(side(o.segments[leaving(pair.vertex)].b), side(o.segments[v.segment_in].a));
+    quiet = {As::averted, under.segment, std::min(under.room, room)};
+  }
   anew = anew || (closed && tip_beside(p).valid());
   return true;
 }
@@ -98,18 +106,19 @@ bool ContactFinder::stay(VertexIndex vertex, const ContactList& list, Kept& kept
   for (std::size_t k = pairs_.first_pair(vertex); k < pairs_.first_pair(vertex + 1); ++k) {
     const bool listed = row < end && known_.edge(row) == pairs[k].edge;
     using As = QuietPoints::Kind;
-    const As kind = !listed ? As::none : (known_.closed(row) ? As::closed : As::open);
-    SegmentIndex segment;
-    if ((!listed || pairs[k].tributary > 0.0) && quiet_.quiet(k, kind)) {
-      segment = quiet_.segment(k);
+    const bool faces = pairs[k].tributary > 0.0,
+               quiet = listed ? faces && quiet_.quiet(k, known_.closed(row) ? As::closed : As::open)
+                              : quiet_.quiet(k, As::far) || (!faces && quiet_.quiet(k, As::averted));
+    QuietPoints::Quiet as;
+    if (quiet) {
+      as.segment = quiet_.segment(k);
     } else {
-      double room = 0.0;
       const std::int32_t known = listed ? static_cast<std::int32_t>(row) : -1;
-      if (!stays(pairs[k], known, list, segment, room, kept.anew)) return false;
-      if (room > 0.0) quiet_.set(k, kind, segment, room);
+      if (!stays(pairs[k], known, list, as, kept.anew)) return false;
+      if (as.room > 0.0) quiet_.set(k, as);
     }
     if (!listed) continue;
-    moving_[row] = {static_cast<std::int32_t>(k), static_cast<std::int32_t>(row), segment};
+    moving_[row] = {static_cast<std::int32_t>(k), static_cast<std::int32_t>(row), as.segment};
     ++row;
   }
   return row == end && !(end - first > 1 && passes_on(first, end, list, kept.of_vertex));

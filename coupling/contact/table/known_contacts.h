@@ -90,7 +90,11 @@ class KnownContacts {
   template <class Take, class See>
   void for_vertices(EdgeIndex edge, Take&& take, See&& see) const {
     const Outlines::Edge& e = outlines_->edges[edge];
-    for (std::int32_t k = 0; k <= e.segments; ++k) for_vertex(e.vertex(k), take, see);
+    const VertexIndex first = e.first_vertex(), last = e.end_vertex;
+    // Most vertices of a long edge have no point: those of all but the last one are contiguous.
+    for (std::size_t i = first_point(first), end = first_point(first + e.segments); i < end; ++i)
+      if (take(places_[i].edge)) see(i);
+    for_vertex(last, take, see);
   }
   /// Calls see(i) for the points against an edge, of whatever vertices.
   template <class See>

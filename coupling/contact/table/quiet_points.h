@@ -16,7 +16,14 @@ namespace scree::coupling {
 /// of edges with several segments: others are examined as fast.
 class QuietPoints {
  public:
-  enum class Kind : std::int32_t { none, open, closed };  // no point, an open point, a closed one
+  /// No point, as it is far, or as the corner turns no side to the edge; an open point; a closed one.
+  enum class Kind : std::int32_t { far, averted, open, closed };
+  /// What a pair is, over which segment, and how far nodes may move before that can change [m]; 0: not known.
+  struct Quiet {
+    Kind kind = Kind::far;
+    SegmentIndex segment = {};
+    double room = 0.0;
+  };
 
   explicit QuietPoints(const Outlines& outlines)
       : acts_(std::any_of(outlines.edges.begin(), outlines.edges.end(), [](const auto& e) { return e.segments > 1; })) {
@@ -47,12 +54,12 @@ class QuietPoints {
     return acts_ && bounds_[k].until > travel_ && bounds_[k].kind == kind;
   }
   [[nodiscard]] SegmentIndex segment(std::size_t k) const { return bounds_[k].segment; }
-  /// Pair k stays of its kind and over its segment while no node is farther than `room` from where it is now [m].
-  void set(std::size_t k, Kind kind, SegmentIndex segment, double room) {
+  /// Pair k stays what it is while no node is farther than the room from where it is now.
+  void set(std::size_t k, const Quiet& quiet) {
     Bound& b = bounds_[k];
-    b.kind = kind;
-    b.segment = segment;
-    b.until = travel_ + QuietPairs::kSafe * room;
+    b.kind = quiet.kind;
+    b.segment = quiet.segment;
+    b.until = travel_ + QuietPairs::kSafe * quiet.room;
   }
 
  private:
@@ -60,7 +67,7 @@ class QuietPoints {
     std::int64_t key = 0;
     double until = 0.0;  // travel [m]
     SegmentIndex segment = {};
-    Kind kind = Kind::none;
+    Kind kind = Kind::far;
   };
   /// In the order of the pairs.
   static std::int64_t key(const VertexEdge& pair) { return (std::int64_t{pair.vertex.value} << 32) + pair.edge.value; }
