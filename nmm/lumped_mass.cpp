@@ -247,25 +247,32 @@ void LumpedMass::solve(const CoverChart& chart, std::span<const double> f, std::
 }
 
 std::pair<std::size_t, std::size_t> LumpedMass::parts_of(std::int32_t begin, std::int32_t end) const {
-  std::size_t low = parts_.size(), high = 0;
+  auto low = static_cast<std::int32_t>(parts_.size()), high = std::int32_t{-1};
   for (auto k = static_cast<std::size_t>(begin); k < static_cast<std::size_t>(end); ++k) {
-    low = std::min(low, static_cast<std::size_t>(part_of_[k]));
-    high = std::max(high, static_cast<std::size_t>(part_of_[k]) + 1);
+    low = std::min(low, part_of_[k]);
+    high = std::max(high, part_of_[k]);
   }
-  return {low, high};
+  return {static_cast<std::size_t>(low), static_cast<std::size_t>(high + 1)};
 }
 
 void LumpedMass::apply(std::int32_t begin, std::int32_t end, std::span<const double> v, std::span<double> p) const {
   const auto [first, last] = parts_of(begin, end);
   project(first, last, v, true);
   for (std::size_t i = first; i < last; ++i) moment_[i] = (parts_[i].correction * moment_[i]).eval();
-  for (auto k = static_cast<std::size_t>(begin); k < static_cast<std::size_t>(end); ++k) {
-    const AffineMoments& z = moment_[static_cast<std::size_t>(part_of_[k])];
-    for (std::size_t d = 0; d < 2; ++d) {
-      const auto c = static_cast<Eigen::Index>(d);
-      p[2 * k + d] = lumped_[k] * (v[2 * k + d] - z(0, c) - X_[k].x() * z(1, c) - X_[k].y() * z(2, c));
-    }
+  const double *u = v.data(), *mass = lumped_.data(), *X = X_.data()->data();
+  double* to = p.data();
+  const auto of_node = [=](std::size_t k, const AffineMoments& z) {
+    to[2 * k] = mass[k] * (u[2 * k] - z(0, 0) - X[2 * k] * z(1, 0) - X[2 * k + 1] * z(2, 0));
+    to[2 * k + 1] = mass[k] * (u[2 * k + 1] - z(0, 1) - X[2 * k] * z(1, 1) - X[2 * k + 1] * z(2, 1));
+  };
+  if (last - first == 1) {
+    const AffineMoments z = moment_[first];
+#pragma omp simd
+    for (auto k = static_cast<std::size_t>(begin); k < static_cast<std::size_t>(end); ++k) of_node(k, z);
+    return;
   }
+  for (auto k = static_cast<std::size_t>(begin); k < static_cast<std::size_t>(end); ++k)
+    of_node(k, moment_[static_cast<std::size_t>(part_of_[k])]);
 }
 
 double LumpedMass::kinetic_energy(std::int32_t begin, std::int32_t end, std::span<const double> v) const {

@@ -57,7 +57,8 @@ void SlidingDamping::count(const Outlines& outlines, const ContactList& list) {
     const ContactMemory& m = list.memory[static_cast<std::size_t>(at)];
     return m.slide.last.slip != 0.0F && carries(m) ? 1.0 : 0.0;
   };
-  if (parallel_largest(std::ssize(list.points), slides) == 0.0) return;
+  if (!slid_ && parallel_largest(std::ssize(list.points), slides) == 0.0) return;
+  slid_ = false;
   const auto take = [&](std::int64_t at, std::vector<Carrier>& out) {
     const auto i = static_cast<std::size_t>(at);
     const ContactMemory& m = list.memory[i];
@@ -73,12 +74,14 @@ void SlidingDamping::count(const Outlines& outlines, const ContactList& list) {
     c.steep = c.slides * now.coefficient * now.coefficient * now.coefficient;
   };
   parallel_list(std::ssize(list.points), by_chunk_, carriers_, take);
-  for (const Carrier& c : carriers_)
+  for (const Carrier& c : carriers_) {
+    slid_ = slid_ || c.slides > 0.0;
     for (const std::size_t body : c.body) {
       all_[body] += c.force;
       slipping_[body] += c.slides;
       steep_[body] += c.steep;
     }
+  }
 }
 
 double SlidingDamping::sliding_part(const Strength& now, const ContactMemory& m) {
