@@ -62,34 +62,25 @@ std::int32_t ContactFinder::neighbour(const ContactPoint& p, bool next_only) con
   if (found >= 0) return found;
   // Points of either edge with edges in line with the other, of any body. The distance is the cheapest condition that
   // few points meet; of a long edge only those are seen that may meet it.
-  const auto part_of = [&](EdgeIndex edge) {
-    if (edge == p.edge) return o.segments[p.segment].part;
-    const Outlines::Segment& next = o.segments[leaving(p.vertex)];
-    return next.edge == edge ? next.part : o.edges[edge].segments;
-  };
   for (const auto& [of, against] : {std::pair(own, p.edge), std::pair(p.edge, own)}) {
-    const auto next = [this, other = against](EdgeIndex edge) { return edge != other && pairs_.in_line(edge, other); };
-    const auto too_far = [&](double d) { return d > detection_ || d >= nearest; };
+    const auto see = [&, other = against](std::size_t i, auto&& next) {
+      if (!fits(i)) return;
+      const double d = distance(known_.vertex(i));
+      if (d > detection_ || d >= nearest) return;
+      if (const EdgeIndex edge = next(); edge != other && pairs_.in_line(edge, other)) take(i, d);
+    };
     // A point within `detection_` of this one is over a segment within twice that.
     const Outlines::Edge& edge = o.edges[of];
-    const auto [first, last] = part_near(o, x_, edge, pairs_.direction(of), part_of(of), at, 2.0 * detection_);
-    for (std::int32_t k = first; k <= last; ++k) {
-      const VertexIndex vertex = edge.vertex(k);
-      const double d = distance(vertex);
-      if (too_far(d)) continue;
+    const std::int32_t part = of == p.edge ? o.segments[p.segment].part : part_of(o, p.vertex, of);
+    const auto [first, last] = part_near(o, x_, edge, pairs_.direction(of), part, at, 2.0 * detection_);
+    const auto far = [&](std::int32_t segment) { return segment >= 0 && (segment < first || segment > last); };
+    for (std::int32_t k = first; k <= last; ++k)
       known_.for_vertex(
-          vertex, [](EdgeIndex) { return true; },
-          [&](std::size_t i) {
-            if (!too_far(d) && fits(i) && next(known_.edge(i))) take(i, d);
-          });
-    }
+          edge.vertex(k), [](EdgeIndex) { return true; },
+          [&](std::size_t i) { see(i, [&] { return known_.edge(i); }); });
     // Where vertices meet exactly, either may stand for both.
     known_.for_against(of, [&](std::size_t i) {
-      const std::int32_t segment = known_.segment(i);
-      if ((segment >= 0 && (segment < first || segment > last)) || !fits(i)) return;
-      const VertexIndex vertex = known_.vertex(i);
-      const double d = distance(vertex);
-      if (!too_far(d) && next(pairs_.opposing_edge(vertex, known_.edge(i)))) take(i, d);
+      if (!far(known_.segment(i))) see(i, [&] { return pairs_.opposing_edge(known_.vertex(i), known_.edge(i)); });
     });
   }
   return found;

@@ -33,12 +33,11 @@ void ContactFinder::take_noted(const ContactList& list) {
 
 bool ContactFinder::stays(const VertexEdge& pair, std::int32_t row, const ContactList& list, QuietPoints::Quiet& quiet,
                           bool& anew) const {
-  using As = QuietPoints::Kind;
   const Outlines& o = setup_->outlines();
   const Outlines::Edge& edge = o.edges[pair.edge];
   const bool listed = row >= 0, closed = listed && known_.closed(static_cast<std::size_t>(row)),
              faces = pair.tributary > 0.0, several = edge.segments > 1;
-  quiet = {!listed ? As::far : (closed ? As::closed : As::open), edge.first_segment, 0.0};
+  quiet.segment = edge.first_segment;
   if (closed && faces && !several) return true;
   const Vec2& at = x_[o.vertices[pair.vertex].node];
   const Under under = closed && !several
@@ -66,7 +65,7 @@ bool ContactFinder::stays(const VertexEdge& pair, std::int32_t row, const Contac
     const Outlines::Vertex& v = o.vertices[pair.vertex];
     const auto side = [&](OutlineNode next) { return averted_room(x_[next] - at, p.at); };
     const double room = std::max(side(o.segments[leaving(pair.vertex)].b), side(o.segments[v.segment_in].a));
-    quiet = {As::averted, under.segment, std::min(under.room, room)};
+    quiet = {QuietPoints::Kind::averted, under.segment, std::min(under.room, room)};
   }
   anew = anew || (closed && tip_beside(p).valid());
   return true;
@@ -106,10 +105,11 @@ bool ContactFinder::stay(VertexIndex vertex, const ContactList& list, Kept& kept
   for (std::size_t k = pairs_.first_pair(vertex); k < pairs_.first_pair(vertex + 1); ++k) {
     const bool listed = row < end && known_.edge(row) == pairs[k].edge;
     using As = QuietPoints::Kind;
+    const As kind = !listed ? As::far : (known_.closed(row) ? As::closed : As::open);
     const bool faces = pairs[k].tributary > 0.0,
-               quiet = listed ? faces && quiet_.quiet(k, known_.closed(row) ? As::closed : As::open)
-                              : quiet_.quiet(k, As::far) || (!faces && quiet_.quiet(k, As::averted));
-    QuietPoints::Quiet as;
+               quiet = listed ? faces && quiet_.quiet(k, kind)
+                              : quiet_.quiet(k, kind) || (!faces && quiet_.quiet(k, As::averted));
+    QuietPoints::Quiet as{kind};
     if (quiet) {
       as.segment = quiet_.segment(k);
     } else {

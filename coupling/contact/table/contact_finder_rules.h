@@ -19,6 +19,12 @@ inline constexpr double kInLine = 0.5;  // of a corner's depth: above it the dep
   return lean > 0.0 ? 0.25 * lean * at.length / (length + at.length) : 0.0;
 }
 
+/// Which vertex of an edge a vertex is, 0 to `segments`.   @pre it is one
+[[nodiscard]] inline std::int32_t part_of(const Outlines& o, VertexIndex vertex, EdgeIndex edge) {
+  const Outlines::Segment& next = o.segments[leaving(vertex)];
+  return next.edge == edge ? next.part : o.edges[edge].segments;
+}
+
 /// The first and last vertex of an edge, counted within it, between which lies all of it that is within `reach` of a
 /// place, along the edge.
 /// @param x  of the outline's nodes   @param along  direction of the edge   @param part  a segment near the place

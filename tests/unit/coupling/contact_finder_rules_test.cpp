@@ -79,6 +79,7 @@ TEST(PartNear, contains_what_is_within_reach_of_a_place) {
     const auto place = [&](std::int32_t k) { return x[o.vertices[edge.vertex(k)].node]; };
     const Vec2 along = (place(edge.segments) - place(0)).normalized();
     several += edge.segments > 10 ? 1 : 0;
+    for (std::int32_t k = 0; k <= edge.segments; ++k) EXPECT_EQ(part_of(o, edge.vertex(k), e), k);
     for (int trial = 0; trial < 500; ++trial) {
       const double s = uniform(-1.0, 11.0), reach = uniform(0.01, 2.0);
       const Vec2 at = place(0) + s * along + uniform(-0.1, 0.1) * Vec2(-along.y(), along.x());
