@@ -7,6 +7,15 @@ find_package(PkgConfig REQUIRED)
 find_package(fmt 9 REQUIRED)
 find_package(spdlog 1.10 REQUIRED)
 find_package(tomlplusplus 3.3 REQUIRED)
+# Linked statically where that is possible: the shared library loads libcurl for a remote file system, and with it 27
+# others, at every start of a command (a quarter of its 10 ms). Leak suppressions name the shared library.
+if(NOT SCREE_INSTALLED AND NOT SCREE_SANITIZE)
+  set(HDF5_USE_STATIC_LIBRARIES ON)
+  find_package(HDF5 1.10 QUIET COMPONENTS C HL)
+  if(NOT HDF5_FOUND)
+    set(HDF5_USE_STATIC_LIBRARIES OFF)
+  endif()
+endif()
 find_package(HDF5 1.10 REQUIRED COMPONENTS C HL)
 find_package(Threads REQUIRED)
 find_package(ZLIB 1.2.9 REQUIRED)                     # crc32_z
@@ -30,3 +39,4 @@ find_library(CHOLMOD_LIBRARY cholmod REQUIRED)
 add_library(scree_cholmod INTERFACE IMPORTED)
 target_include_directories(scree_cholmod SYSTEM INTERFACE ${CHOLMOD_INCLUDE})
 target_link_libraries(scree_cholmod INTERFACE ${CHOLMOD_LIBRARY})
+find_library(OPENBLAS_LIBRARY NAMES libopenblas.so.0)  # of CHOLMOD; may be missing: another BLAS takes its place
