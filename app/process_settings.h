@@ -5,7 +5,7 @@
 
 namespace scree::app {
 
-/// True for commands that compute in parallel; for the others a restart of the program (40 ms) does not pay.
+/// True for commands that compute in parallel; for the others a restart of the program (5 ms) does not pay.
 [[nodiscard]] bool computes(std::string_view command);
 
 /// Makes waiting threads poll for some microseconds and then sleep, unless the environment sets another policy

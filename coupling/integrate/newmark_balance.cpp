@@ -190,17 +190,18 @@ bool Newmark::refine(const State& state, double h, NewtonLoop& loop, StepReport&
 
 Newmark::Settled Newmark::settle(const State& state, double h, NewtonLoop& loop, StepReport& report) {
   const RoundOff rounded = loop.iterative ? round_off(state) : RoundOff{};
-  bool met = !interface_.acts();
-  const double allowed = std::max(options_.together * largest_interface_force_, rounded.system);
-  if (interface_.acts()) {
-    met = interface_.largest_change(d_) * interface_.stiffness() <= allowed || !interface_.predict(iterate(state));
-    if (met && !evaluate_interface_force(state, report)) return Settled::failed;
-  }
   loop.at_round_off = loop.left <= rounded.system;
   const bool balanced = !loop.iterative || loop.left <= kBalanced * loop.largest,
              stays = loop.at_round_off && report.iterations > 2 && loop.left > 0.5 * loop.last,
              kicked = interface_.acts() &&
                       loop.left <= rounded.bodies;  // InterfaceIteration::kick() applies the impulse of the residual
+  bool met = !interface_.acts();
+  const double allowed = std::max(options_.together * largest_interface_force_, rounded.system);
+  if (interface_.acts()) {
+    const bool first = report.iterations == 1 && (balanced || kicked);
+    met = !interface_.predict_where_useful(iterate(state), allowed, first);
+    if (met && !evaluate_interface_force(state, report)) return Settled::failed;
+  }
   if (loop.iterative && !interface_.acts() && (balanced || stays) && !refine(state, h, loop, report))
     return Settled::failed;
   loop.apart = 0.0;
@@ -216,7 +217,7 @@ Newmark::Settled Newmark::settle(const State& state, double h, NewtonLoop& loop,
 }
 
 void Newmark::prepare_iterate(const State& state, double h, NewtonLoop& loop) {
-  if (interface_.acts()) interface_.next();
+  if (interface_.acts()) interface_.next(iterate(state));
   if (bolts_.linearise(springs_)) {
     contacts_.change_springs();
     loop.fresh = true;

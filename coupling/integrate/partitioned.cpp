@@ -283,7 +283,7 @@ void Partitioned::find_springs(bool keep) {
   // Springs of closed contacts with an implicit body. They stretch linearly to the displacement u, so that the
   // mean over the step has half of it; their dashpots have the constant rate u/H.
   if (!keep) springs_.clear();
-  stiffness_ = 0.0;
+  stiffness_ = largest_stiffness_ = 0.0;
   const double H = seconds(step_);
   double turns_back = 0.0;  // times H^2/2 it bounds the ratio of successive changes of u in the iteration
   const ContactList& list = explicit_->contacts();
@@ -296,6 +296,7 @@ void Partitioned::find_springs(bool keep) {
       Spring s;
       s.k = 0.5 * k + c / H;
       stiffness_ += s.k;
+      largest_stiffness_ = std::max(largest_stiffness_, s.k);
       if (keep) return;
       for (std::size_t n = 0; n < 3; ++n) {
         if (is_ghost_[p.node[n]] == 0) continue;

@@ -87,6 +87,7 @@ class Partitioned final : public TimeIntegrator, private InterfaceForce {
 
   [[nodiscard]] std::span<const Spring> springs() const override { return springs_; }
   [[nodiscard]] double stiffness() const override { return stiffness_; }
+  [[nodiscard]] double largest_stiffness() const override { return largest_stiffness_; }
   [[nodiscard]] std::span<const double> present() const override { return present_; }
   [[nodiscard]] std::span<const InterfaceConstraint> interface_constraints() const override {
     return interface_constraints_;
@@ -117,6 +118,7 @@ class Partitioned final : public TimeIntegrator, private InterfaceForce {
   double bound_ = 0.0;  // certified step of the explicit side [s]; 0: to be found
   std::vector<Spring> springs_;
   double stiffness_ = 0.0;                         // k/2 + c/H of closed contacts with ghosts, summed [N/m]
+  double largest_stiffness_ = 0.0;                 // the largest of them [N/m]
   IndexedVector<OutlineNode, char> is_ghost_;      // 1 for outline nodes of ghosts
   IndexedVector<OutlineNode, double> compliance_;  // of outline nodes of ghosts [1/kg]
   std::vector<double> present_;                    // forces on ghosts, in the order of the implicit side

@@ -38,6 +38,8 @@ class InterfaceForce {
   [[nodiscard]] virtual std::span<const Spring> springs() const = 0;
   /// Upper bound of that tangent [N/m].
   [[nodiscard]] virtual double stiffness() const = 0;
+  /// The largest stiffness of a spring in it [N/m].
+  [[nodiscard]] virtual double largest_stiffness() const = 0;
   /// Force on the nodes at the start of the step, x, y per node [N].
   [[nodiscard]] virtual std::span<const double> present() const = 0;
   /// Predicts mean() without repeating the explicit substeps.

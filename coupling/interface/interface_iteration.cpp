@@ -8,6 +8,12 @@
 #include "coupling/linear/vectors.h"
 
 namespace scree::coupling {
+namespace {
+
+constexpr double kLittle = 0.5;  // of the mismatch allowed
+
+}  // namespace
+
 void InterfaceIteration::set(InterfaceForce* force) {
   force_ = force;
   fixed_point_.forget();
@@ -85,7 +91,7 @@ void InterfaceIteration::begin(const Iterate& at, bool use_kept) {
   std::copy(system_->unit().begin(), system_->unit().end(), units_.begin());
   fixed_point_.begin(units_, use_kept);
   std::fill(predictor_error_.begin(), predictor_error_.end(), 0.0);
-  foreseen_ = false;
+  foreseen_ = unforeseen_ = false;
   if (!predict(at)) {
     nodes_.assign(force_->present().begin(), force_->present().end());
     apply(at);
@@ -127,6 +133,26 @@ bool InterfaceIteration::predict(const Iterate& at) {
   return true;
 }
 
+bool InterfaceIteration::predict_where_useful(const Iterate& at, double allowed, bool first) {
+  const double moved = largest_change(at.d);
+  if (moved * force_->stiffness() <= allowed) return false;
+  if (!first || moved * force_->largest_stiffness() > kLittle * allowed) return predict(at);
+  foreseen_ = false;  // the prediction was for another place: its difference to the evaluation is no error
+  unforeseen_ = true;
+  return false;
+}
+
+void InterfaceIteration::find_predictor_error(const Iterate& at) {
+  // Predictions of later iterates must be consistent with what was evaluated at this one.
+  predictor_ = mean_;
+  const std::vector<double> evaluated = corrected_;
+  if (predict(at))
+    for (std::size_t i = 0; i < mean_.size(); ++i) predictor_error_[i] += predictor_[i] - mean_[i];
+  mean_ = predictor_;
+  corrected_ = evaluated;
+  foreseen_ = false;
+}
+
 StepReport InterfaceIteration::evaluate(const Iterate& at) {
   const bool foreseen = std::exchange(foreseen_, false);
   if (foreseen) predictor_ = mean_;
@@ -163,7 +189,8 @@ double InterfaceIteration::residual(std::span<const double> left) {
   return apart;
 }
 
-void InterfaceIteration::next() {
+void InterfaceIteration::next(const Iterate& at) {
+  if (std::exchange(unforeseen_, false)) find_predictor_error(at);
   fixed_point_.next(corrected_, predicted_);
   sum_predicted();
 }

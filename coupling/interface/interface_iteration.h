@@ -46,12 +46,12 @@ class InterfaceIteration {
   /// After an accepted step: later ones may use its iterates.
   void accept() { fixed_point_.accept(); }
   [[nodiscard]] FixedPoint::Kept& kept() { return fixed_point_.kept(); }
-  /// Upper bound of the force's tangent [N/m].
-  [[nodiscard]] double stiffness() const { return force_->stiffness(); }
-  /// Largest change of an unknown since the force was last evaluated, as a displacement [m].
-  [[nodiscard]] double largest_change(std::span<const double> d) const;
-  /// @return false: the force can only be evaluated
-  [[nodiscard]] bool predict(const Iterate& at);
+  /// Predicts the force, unless evaluate() would follow in any case: where the iterate has moved so little that the
+  /// force cannot have changed by more than is allowed, and where the first one of a step is a balance and has moved so
+  /// little that the stiffest spring has changed by half of that.
+  /// @param allowed  mismatch of the force [N]   @param first  iterate of the step, a balance
+  /// @return false: it has to be evaluated
+  [[nodiscard]] bool predict_where_useful(const Iterate& at, double allowed, bool first);
   /// Where the force was predicted for this iterate, or for one that hardly differs, the error of the prediction is
   /// kept and added to later ones.
   /// @return a status other than ok where the other side cannot follow the path
@@ -59,8 +59,8 @@ class InterfaceIteration {
   /// Largest component of corrected less predicted force [N].
   /// @param left  residual of the balance, per unknown [N]: joins the residual whose impulse kick() applies
   [[nodiscard]] double residual(std::span<const double> left);
-  /// The next prediction.
-  void next();
+  /// The next force to balance, after an iterate that is no balance with the last one.   @param at  that iterate
+  void next(const Iterate& at);
   /// Predicted force with the constraint forces, in the unknowns [N].
   [[nodiscard]] std::span<const double> predicted() const { return predicted_unknowns_force_; }
   /// Largest of the force and the constraint forces [N].
@@ -72,8 +72,13 @@ class InterfaceIteration {
   void book(const Iterate& at, double h, std::span<const double> rate, Ledger& ledger) const;
 
  private:
+  /// @return false: the force can only be evaluated
+  [[nodiscard]] bool predict(const Iterate& at);
   void apply(const Iterate& at);
+  /// Largest change of an unknown since the force was last evaluated or predicted, as a displacement [m].
+  [[nodiscard]] double largest_change(std::span<const double> d) const;
   void find_along(std::span<const double> d);
+  void find_predictor_error(const Iterate& at);
   void sum_predicted();
   /// out -= C C^T u of the interface constraints; `half` is C^T u.
   void subtract_constraint_forces(std::span<const double> half, std::span<double> out) const;
@@ -90,6 +95,7 @@ class InterfaceIteration {
   // in the same layout; mismatch_: corrected_ less predicted_ plus the residual of the balance.
   std::vector<double> mean_, predicted_, corrected_, mismatch_, kick_;
   bool foreseen_ = false;                         // mean_ is a prediction
+  bool unforeseen_ = false;                       // mean_ was evaluated where a prediction would have been possible
   std::vector<double> predictor_;                 // mean_ as InterfaceForce::foresee() predicted it
   std::vector<double> predictor_error_;           // evaluated less predicted
   std::vector<double> evaluated_at_;              // iterate at which mean_ was evaluated
