@@ -145,11 +145,11 @@ bool InterfaceIteration::predict_where_useful(const Iterate& at, double allowed,
 void InterfaceIteration::find_predictor_error(const Iterate& at) {
   // Predictions of later iterates must be consistent with what was evaluated at this one.
   predictor_ = mean_;
-  const std::vector<double> evaluated = corrected_;
+  evaluated_ = corrected_;
   if (predict(at))
     for (std::size_t i = 0; i < mean_.size(); ++i) predictor_error_[i] += predictor_[i] - mean_[i];
   mean_ = predictor_;
-  corrected_ = evaluated;
+  corrected_ = evaluated_;
   foreseen_ = false;
 }
 

@@ -97,6 +97,7 @@ class InterfaceIteration {
   bool foreseen_ = false;                         // mean_ is a prediction
   bool unforeseen_ = false;                       // mean_ was evaluated where a prediction would have been possible
   std::vector<double> predictor_;                 // mean_ as InterfaceForce::foresee() predicted it
+  std::vector<double> evaluated_;                 // scratch of find_predictor_error(): corrected_
   std::vector<double> predictor_error_;           // evaluated less predicted
   std::vector<double> evaluated_at_;              // iterate at which mean_ was evaluated
   std::vector<double> predicted_unknowns_force_;  // predicted_ with the constraint forces added to the unknowns
