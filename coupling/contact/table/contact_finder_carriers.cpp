@@ -72,9 +72,11 @@ std::int32_t ContactFinder::neighbour(const ContactPoint& p, bool next_only) con
     // A point within `detection_` of this one is over a segment within twice that.
     const Outlines::Edge& edge = o.edges[of];
     const std::int32_t part = of == p.edge ? o.segments[p.segment].part : part_of(o, p.vertex, of);
-    const auto [first, last] = part_near(o, x_, edge, pairs_.direction(of), part, at, 2.0 * detection_);
-    const auto far = [&](std::int32_t segment) { return segment >= 0 && (segment < first || segment > last); };
-    for (std::int32_t k = first; k <= last; ++k)
+    const std::pair near = part_near(o, x_, edge, pairs_.direction(of), part, at, 2.0 * detection_);
+    const auto far = [&](std::int32_t segment) {
+      return segment >= 0 && (segment < near.first || segment > near.second);
+    };
+    for (std::int32_t k = near.first; k <= near.second; ++k)
       known_.for_vertex(
           edge.vertex(k), [](EdgeIndex) { return true; },
           [&](std::size_t i) { see(i, [&] { return known_.edge(i); }); });
