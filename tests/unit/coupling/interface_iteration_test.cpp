@@ -97,6 +97,19 @@ class SpringElsewhere : public InterfaceForce {
   std::vector<double> present_;
 };
 
+/// 20 steps of a block on the spring.   @return contact points at the end
+std::size_t swing(test::ByHand& hand, SpringElsewhere& spring) {
+  Newmark integrator(*hand.setup, kWide, 0.05);
+  integrator.set_interface(&spring);
+  hand.state.ledger.open(std::array{integrator.enter(hand.state)});
+  for (int i = 0; i < 20; ++i) {
+    const StepReport report = integrator.step(hand.state, ticks(kStep));
+    EXPECT_EQ(report.status, StepReport::Status::ok) << report.cause;
+    spring.arrive(hand.state.q);
+  }
+  return integrator.list().points.size();
+}
+
 class InterfaceSpring : public testing::TestWithParam<std::string> {};
 
 TEST_P(InterfaceSpring, a_spring_elsewhere_acts_as_a_support_does) {
@@ -112,21 +125,13 @@ TEST_P(InterfaceSpring, a_spring_elsewhere_acts_as_a_support_does) {
     for (const bool foretold : {false, true}) {
       test::ByHand hand(scene.model, scene.plan.stages[0]);
       SpringElsewhere spring(hand, told, foretold);
-      Newmark integrator(*hand.setup, kWide, 0.05);
-      integrator.set_interface(&spring);
-      hand.state.ledger.open(std::array{integrator.enter(hand.state)});
-      for (int i = 0; i < 20; ++i) {
-        const StepReport report = integrator.step(hand.state, ticks(kStep));
-        ASSERT_EQ(report.status, StepReport::Status::ok) << report.cause;
-        spring.arrive(hand.state.q);
-      }
+      EXPECT_EQ(swing(hand, spring), 0U);
       double way = 0.0, apart = 0.0;
       for (std::size_t i = 0; i < hand.state.q.size(); ++i) {
         way = std::max(way, std::abs(reference.state.v[i] * 20.0 * kStep));
         apart = std::max(apart, std::abs(hand.state.q[i] - reference.state.q[i]));
       }
       EXPECT_LT(apart, 1e-5 * way) << told << ' ' << foretold;  // a support's row is linear in the step's rotation
-      EXPECT_EQ(integrator.list().points.size(), 0U);
     }
 }
 
@@ -142,14 +147,7 @@ TEST_P(InterfaceSpring, a_first_iterate_that_hardly_moves_is_evaluated_at_once) 
         test::ByHand hand(scene.model, scene.plan.stages[0]);
         SpringElsewhere spring(hand, told, true, error);
         if (at_once != 0) spring.largest = 0.0;
-        Newmark integrator(*hand.setup, kWide, 0.05);
-        integrator.set_interface(&spring);
-        hand.state.ledger.open(std::array{integrator.enter(hand.state)});
-        for (int i = 0; i < 20; ++i) {
-          const StepReport report = integrator.step(hand.state, ticks(kStep));
-          ASSERT_EQ(report.status, StepReport::Status::ok) << report.cause;
-          spring.arrive(hand.state.q);
-        }
+        EXPECT_EQ(swing(hand, spring), 0U);
         end[at_once] = hand.state.q;
         predictions[at_once] = spring.predictions;
         evaluations[at_once] = spring.evaluations;
