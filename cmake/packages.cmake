@@ -7,7 +7,7 @@ find_package(PkgConfig REQUIRED)
 find_package(fmt 9 REQUIRED)
 find_package(spdlog 1.10 REQUIRED)
 find_package(tomlplusplus 3.3 REQUIRED)
-# Linked statically where that is possible: the shared library loads libcurl for a remote file system, and with it 27
+# Linked statically where that is possible: the shared library loads libcurl for a remote file system, and with it 25
 # others, at every start of a command (a quarter of its 10 ms). Leak suppressions name the shared library.
 if(NOT SCREE_INSTALLED AND NOT SCREE_SANITIZE)
   set(HDF5_USE_STATIC_LIBRARIES ON)

@@ -56,7 +56,7 @@ class SlidingDamping {
   };
 
   bool used_ = false;
-  bool slid_ = false;  // contacts that count() saw last: then it does not look whether any slides before it sums
+  bool slid_ = false;  // contacts slid at the last count(): then the next one sums without first looking for sliding
   const JointLaws* laws_ = nullptr;
   std::vector<double> most_;            // per body: 2 xi w_1, or 0 where it is exempt [1/s]
   std::vector<double> slipping_, all_;  // per body: normal forces of its contacts [N]

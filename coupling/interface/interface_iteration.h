@@ -48,7 +48,7 @@ class InterfaceIteration {
   [[nodiscard]] FixedPoint::Kept& kept() { return fixed_point_.kept(); }
   /// Predicts the force, unless evaluate() would follow in any case: where the iterate has moved so little that the
   /// force cannot have changed by more than is allowed, and where the first one of a step is a balance and has moved so
-  /// little that the stiffest spring has changed by half of that.
+  /// little that the force of the stiffest spring has changed by at most half of that.
   /// @param allowed  mismatch of the force [N]   @param first  iterate of the step, a balance
   /// @return false: it has to be evaluated
   [[nodiscard]] bool predict_where_useful(const Iterate& at, double allowed, bool first);

@@ -91,7 +91,7 @@ class KnownContacts {
   void for_vertices(EdgeIndex edge, Take&& take, See&& see) const {
     const Outlines::Edge& e = outlines_->edges[edge];
     const VertexIndex first = e.first_vertex(), last = e.end_vertex;
-    // Most vertices of a long edge have no point: those of all but the last one are contiguous.
+    // The points of all vertices but the last are contiguous: vertices without a point cost nothing.
     for (std::size_t i = first_point(first), end = first_point(first + e.segments); i < end; ++i)
       if (take(places_[i].edge)) see(i);
     for_vertex(last, take, see);

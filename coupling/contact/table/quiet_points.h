@@ -16,7 +16,7 @@ namespace scree::coupling {
 /// of edges with several segments: others are examined as fast.
 class QuietPoints {
  public:
-  /// No point, as it is far, or as the corner turns no side to the edge; an open point; a closed one.
+  /// No point, as it is far, or as a side of the corner leans into the edge; an open point; a closed one.
   enum class Kind : std::int32_t { far, averted, open, closed };
   /// What a pair is, over which segment, and how far nodes may move before that can change [m]; 0: not known.
   struct Quiet {

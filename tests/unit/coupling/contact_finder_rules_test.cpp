@@ -1,4 +1,4 @@
-// How long a corner cannot touch an edge that it turns no side to, and which part of an edge is near a place.
+// How far nodes may move while a corner cannot touch an edge, and which part of an edge is near a place.
 #include "coupling/contact/table/contact_finder_rules.h"
 
 #include <gtest/gtest.h>
