@@ -131,7 +131,7 @@ class ContactFinder {
   [[nodiscard]] [[gnu::noinline]] bool passes_on(std::size_t first, std::size_t last, const ContactList& list,
                                                  std::vector<ContactPoint>& of_vertex) const;
   /// For keeps(): true if the pair is a point, or none, as it was before.   @param row  its point in the list, or -1
-  /// @param quiet  its kind is that of before; receives the segment, and a room in meshes, for overlaps and for no point
+  /// @param quiet  with the kind of before; receives the segment, and a room in meshes, for overlaps and for no point
   /// @param anew   becomes true where find_again() is required
   [[nodiscard]] bool stays(const VertexEdge& pair, std::int32_t row, const ContactList& list, QuietPoints::Quiet& quiet,
                            bool& anew) const;
